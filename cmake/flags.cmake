@@ -1,0 +1,12 @@
+# The flags every target is compiled with. Pixels must not depend on the compiler's mood:
+# no contraction of a*b+c into one rounding, no fast-math, no -march of the machine at hand.
+add_library(pxm_flags INTERFACE)
+target_compile_options(pxm_flags INTERFACE
+    -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off
+    $<$<BOOL:${PXM_WARNINGS_AS_ERRORS}>:-Werror>)
+target_include_directories(pxm_flags INTERFACE ${PROJECT_SOURCE_DIR})
+if(PXM_SANITIZE)
+    target_compile_options(pxm_flags INTERFACE
+        -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(pxm_flags INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,42 @@
+// A scene's mistakes: collected with their places, at most 20, and thrown once.
+//   fern.pxm:12:7: error: map "stem" does not contract (Lipschitz constant 1.04)
+//       scale: 1.04,1,1
+//       ^
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/scene/scene.hpp"
+
+namespace pxm::host {
+
+class Diagnostics {
+  public:
+    static constexpr int error_limit = 20;
+
+    void error(const Position& position, const std::string& message);
+    void warning(const Position& position, const std::string& message);
+
+    [[nodiscard]] bool has_errors() const { return errors_ > 0; }
+    /// True once error_limit errors were collected: a parser may give up.
+    [[nodiscard]] bool full() const { return errors_ >= error_limit; }
+
+    /// Errors and warnings in the order found, each as file:line:column, message, the line and a caret.
+    [[nodiscard]] std::string text(const std::vector<SourceFile>& files) const;
+    /// The warnings alone.
+    [[nodiscard]] std::string warnings_text(const std::vector<SourceFile>& files) const;
+    /// Throws Error(ExitCode::scene) with the text if there is any error.
+    void throw_if_errors(const std::vector<SourceFile>& files) const;
+
+  private:
+    struct Entry {
+        Position position;
+        std::string message;
+        bool is_error;
+    };
+    std::vector<Entry> entries_;
+    int errors_ = 0;
+};
+
+}  // namespace pxm::host

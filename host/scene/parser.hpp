@@ -1,0 +1,27 @@
+// Text to scene: reads a .pxm file and what it includes (docs/scene-language.md).
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "host/scene/diagnostics.hpp"
+#include "host/scene/scene.hpp"
+
+namespace pxm::host {
+
+/// Reads a file's whole text. Throws Error(ExitCode::file) when it cannot be read.
+using FileReader = std::function<std::string(const std::string& path)>;
+
+/// The real file system; a directory, a missing file or one over 64 MB is an Error(ExitCode::file).
+[[nodiscard]] std::string read_file(const std::string& path);
+
+/// Parses the scene file at `path`. Syntax errors go to `diagnostics` (the parser goes on after each);
+/// scene.files is filled in either case. An include that cannot be found is a scene error at its place.
+[[nodiscard]] Scene parse_scene(const std::string& path, Diagnostics& diagnostics,
+                                const FileReader& reader = read_file);
+
+/// Parses text that is in memory; `name` stands in messages. Includes are read through `reader`.
+[[nodiscard]] Scene parse_text(const std::string& name, const std::string& text,
+                               Diagnostics& diagnostics, const FileReader& reader = read_file);
+
+}  // namespace pxm::host
