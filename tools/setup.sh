@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2034
 # Shared by tools/pxm and tools/test; sourced, not run. Sets `root`, the top of the tree, and makes
 # sure that packages are installed. Everything it says goes to stderr: stdout is the program's.
 
@@ -33,7 +34,7 @@ ask_for_root() {
 install_packages() {
     command -v dpkg >/dev/null || { say "no dpkg here: install the likes of tools/packages*.txt yourself"; return; }
     local missing as_root log
-    mapfile -t missing < <(missing_packages "$@")
+    read -ra missing <<<"$(missing_packages "$@" | tr '\n' ' ')"
     (( ${#missing[@]} )) || return 0
     as_root=$(ask_for_root "${missing[@]}") || exit 1
     say "installing ${missing[*]}"
