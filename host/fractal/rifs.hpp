@@ -22,10 +22,10 @@ struct FollowSet {
 struct Rifs {
     std::string name;
     std::vector<Affine> maps;
-    std::vector<std::string> map_names;    // "1", "2", ... where the scene gives none
-    std::vector<FollowSet> follow_sets;    // all different from each other
-    std::vector<int> follow_of;            // per map: the follow set of what may stand inside it
-    int start = 0;                         // the follow set of the outermost maps
+    std::vector<std::string> map_names;  // "1", "2", ... where the scene gives none
+    std::vector<FollowSet> follow_sets;  // all different from each other
+    std::vector<int> follow_of;          // per map: the follow set of what may stand inside it
+    int start = 0;                       // the follow set of the outermost maps
 };
 
 /// Builds the system of an ifs block: resolves names, shares follow sets, and finds the start maps

@@ -22,7 +22,11 @@ class Diagnostics {
     /// True once error_limit errors were collected: a parser may give up.
     [[nodiscard]] bool full() const { return errors_ >= error_limit; }
 
-    /// Errors and warnings in the order found, each as file:line:column, message, the line and a caret.
+    /// Takes over all entries of another collection.
+    void append(const Diagnostics& other);
+
+    /// Errors and warnings in the order found, each as file:line:column, message, the line and a
+    /// caret.
     [[nodiscard]] std::string text(const std::vector<SourceFile>& files) const;
     /// The warnings alone.
     [[nodiscard]] std::string warnings_text(const std::vector<SourceFile>& files) const;
