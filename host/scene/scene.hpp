@@ -1,6 +1,7 @@
-// A scene as the text says it: blocks, directives and values, names still names (docs/scene-language.md).
-// What is left out stays empty here; defaults are filled in by the compiler (host/render/compile).
-// Equality ignores positions in the source, so that parse(print(scene)) == scene can be tested.
+// A scene as the text says it: blocks, directives and values, names still names
+// (docs/scene-language.md). What is left out stays empty here; defaults are filled in by the
+// compiler (host/render/compile). Equality ignores positions in the source, so that
+// parse(print(scene)) == scene can be tested.
 #pragma once
 
 #include <array>
@@ -203,7 +204,8 @@ struct CameraBlock {
     bool operator==(const CameraBlock&) const = default;
 };
 
-// --- image and render: each value may also come from the command line, which wins -----------------
+// --- image and render: each value may also come from the command line, which wins
+// -----------------
 struct PixelSize {
     long columns = 640;
     long rows = 480;
@@ -252,8 +254,8 @@ struct RenderBlock {
     std::optional<VolumeKind> volume;
     std::optional<long> heap;
     std::optional<long> bounces;
-    Position position;          // of the block
-    Position covers_position;   // of directives that may not be supported yet
+    Position position;         // of the block
+    Position covers_position;  // of directives that may not be supported yet
     Position samples_position;
     Position intersect_position;
     Position numeric_position;
