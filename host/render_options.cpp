@@ -64,7 +64,7 @@ T one_of(const char* option, const std::string& text,
         if (!expected.empty()) expected += ", ";
         expected += word;
     }
-    refuse(option, text, "one of " + expected);
+    refuse(option, text, fmt::format("one of {}", expected));
 }
 
 }  // namespace
@@ -110,8 +110,8 @@ std::vector<Aov> parse_aovs(const std::string& text) {
             std::ranges::find_if(all_aovs(), [&](Aov aov) { return name == aov_name(aov); });
         if (found == all_aovs().end()) {
             std::string expected;
-            for (const Aov aov : all_aovs()) expected += std::string(" ") + aov_name(aov);
-            refuse("--aov", name, "names out of" + expected + ", separated by commas");
+            for (const Aov aov : all_aovs()) expected += fmt::format(" {}", aov_name(aov));
+            refuse("--aov", name, fmt::format("names out of{}, separated by commas", expected));
         }
         if (std::ranges::find(aovs, *found) == aovs.end()) aovs.push_back(*found);
     }
@@ -160,8 +160,8 @@ VolumeKind parse_volume(const std::string& text) {
 const Model& parse_model(const std::string& text) {
     if (const Model* model = find_model(text)) return *model;
     std::string expected;
-    for (const Model& model : models()) expected += " " + std::string(model.name);
-    refuse("--machine", text, "a model out of" + expected);
+    for (const Model& model : models()) expected += fmt::format(" {}", model.name);
+    refuse("--machine", text, fmt::format("a model out of{}", expected));
 }
 
 }  // namespace pxm::host

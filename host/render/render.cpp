@@ -55,6 +55,7 @@ Prepared prepare(const RenderRequest& request) {
     }
     diagnostics.throw_if_errors(prepared.scene.files);
     prepared.warnings = diagnostics.warnings_text(prepared.scene.files);
+    if (!prepared.warnings.empty()) prepared.warnings += '\n';
     prepared.compile_seconds = clock.lap();
     return prepared;
 }
