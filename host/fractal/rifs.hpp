@@ -34,6 +34,9 @@ struct Rifs {
 /// start map leads to are warnings. The result is usable only if no error was added.
 [[nodiscard]] Rifs build_rifs(const IfsBlock& block, Diagnostics& diagnostics);
 
+/// What messages call a map: `map "stem"`, or `map 3` where the scene gives no name.
+[[nodiscard]] std::string spoken_name(const Rifs& rifs, int map);
+
 /// Strongly connected components of the map graph in descent order, each a rising list of map
 /// indices, in an order where every edge between components leads from an earlier to a later one.
 [[nodiscard]] std::vector<std::vector<int>> strong_components(const Rifs& rifs);
