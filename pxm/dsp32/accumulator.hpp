@@ -34,36 +34,36 @@ struct Addend {
     int exponent;
 };
 
-/// The largest number of that sign, or zero: what is left of a result out of range.
-[[nodiscard]] constexpr Accumulator saturated(std::int64_t mantissa) noexcept {
-    const std::int64_t limit = std::int64_t{1} << (accumulator_fraction_bits + 1);
-    return {mantissa < 0 ? -limit : limit - 1, largest_exponent};
+/// What is left of a sum that is zero or out of range: the largest number of its sign, or zero.
+[[nodiscard]] constexpr Accumulator flushed(std::int64_t sum, int exponent) noexcept {
+    if (sum == 0 || exponent < smallest_exponent) return {};
+    constexpr std::int64_t limit = std::int64_t{1} << (accumulator_fraction_bits + 1);
+    return {sum < 0 ? -limit : limit - 1, largest_exponent};
 }
 
 /// The adder's output: normalised, then chopped to 31 fraction bits; then overflow and underflow
 /// are judged. Chopping cannot undo the normal form, since it moves toward minus infinity.
 [[nodiscard]] constexpr Accumulator normalised(std::int64_t sum, int exponent) noexcept {
-    const auto size = static_cast<std::uint64_t>(sum ^ (sum >> 63));
-    const int spare = std::countl_zero(size) - 1;
-    const auto aligned = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) << spare);
+    // Doubled plus one, so that counting is defined for sums of 0 and -1 too.
+    const auto size = static_cast<std::uint64_t>(sum ^ (sum >> 63)) * 2 + 1;
+    const int spare = std::countl_zero(size);
     const int result_exponent = exponent + (62 - adder_fraction_bits) - spare;
-    if (result_exponent > largest_exponent && sum != 0) [[unlikely]]
-        return saturated(sum);
-    const bool nonzero = (sum != 0) & (result_exponent >= smallest_exponent);
-    return {nonzero ? aligned >> (62 - accumulator_fraction_bits) : 0,
-            nonzero ? result_exponent : zero_exponent};
+    const bool in_range =
+        (result_exponent >= smallest_exponent) & (result_exponent <= largest_exponent);
+    if (!in_range || sum == 0) [[unlikely]]
+        return flushed(sum, result_exponent);
+    const auto aligned = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) << spare);
+    return {aligned >> (62 - accumulator_fraction_bits), result_exponent};
 }
 
 /// The adder. The operand of smaller exponent is shifted right arithmetically, that is chopped
 /// toward minus infinity. The sources are silent on shifts beyond the adder's width; chosen: as
 /// arithmetic says, so that the smallest negative operand still lowers the sum.
 [[nodiscard]] constexpr Accumulator sum(Addend a, Addend b) noexcept {
-    const int distance = a.exponent - b.exponent;
-    const bool a_is_larger = distance >= 0;
-    const Addend large = a_is_larger ? a : b;
-    const std::int64_t small = a_is_larger ? b.mantissa : a.mantissa;
-    const int shift = std::min(a_is_larger ? distance : -distance, 63);
-    return normalised(large.mantissa + (small >> shift), large.exponent);
+    const int exponent = std::max(a.exponent, b.exponent);
+    const int shift_a = std::min(exponent - a.exponent, 63);
+    const int shift_b = std::min(exponent - b.exponent, 63);
+    return normalised((a.mantissa >> shift_a) + (b.mantissa >> shift_b), exponent);
 }
 
 /// The multiplier: the exact product, at full width. Its exponent has no limits; only the adder's

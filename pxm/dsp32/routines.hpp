@@ -30,11 +30,15 @@ namespace pxm::dsp32::routines {
     return store(multiply(store(p), seed));
 }
 
+/// One Newton step for the reciprocal r of y: r + r (1 - y r).
+[[nodiscard]] constexpr Accumulator reciprocal_step(Word y, Word r) noexcept {
+    const Word error = store(multiply_subtract(load(one), y, r));
+    return multiply_add(load(r), r, error);
+}
+
 /// 1/y, to nearest or one beside it. Range and 1/0 as in `reciprocal_quick`.
 [[nodiscard]] constexpr Word reciprocal(Word y) noexcept {
-    const Word r = reciprocal_quick(y);
-    const Word error = store(multiply_subtract(load(one), y, r));
-    return round(multiply_add(load(r), r, error));
+    return round(reciprocal_step(y, reciprocal_quick(y)));
 }
 
 /// x/y with a relative error below 2e-6: the quick reciprocal, scaled by the numerator.
@@ -69,23 +73,29 @@ struct Quartered {
     return word + static_cast<Word>(scale);
 }
 
-/// One Newton step for the root s of v: s + (v - s^2) / (2 s), with a quick reciprocal.
-[[nodiscard]] constexpr Accumulator root_step(Word v, Word s) noexcept {
-    const Word rest = store(multiply_subtract(load(v), s, s));
-    const Word half_rest = rest == zero ? zero : scaled(rest, -1);
-    return multiply_add(load(s), half_rest, reciprocal_quick(s));
+/// A root, and about the reciprocal of it.
+struct RootEstimate {
+    Word root;
+    Word reciprocal;
+};
+
+/// One Newton step for the root s of v: s + (v - s^2) / (2 s).
+[[nodiscard]] constexpr Accumulator root_step(Word v, RootEstimate s) noexcept {
+    const Word rest = store(multiply_subtract(load(v), s.root, s.root));
+    return multiply_add(load(s.root), rest, scaled(s.reciprocal, -1));
 }
 
 /// A line for the root of the mantissa (relative error 0.75 %), then one Newton step.
-[[nodiscard]] constexpr Word mantissa_root_quick(Quartered x) noexcept {
-    // Best on [1, 2]: a + b m with a / b = sqrt(2), touching from both sides.
-    constexpr Word a = word_of(0.590162);
-    constexpr Word b = word_of(0.417308);
+[[nodiscard]] constexpr RootEstimate mantissa_root_quick(Quartered x) noexcept {
+    // Best on [1, 2]: a + b m with a / b = sqrt(2); its error at the ends is that in the middle.
+    constexpr Word a = word_of(0.590162067);
+    constexpr Word b = word_of(0.417307600);
     constexpr Word root_2 = word_of(1.41421356237309505);
     const Word m = (x.mantissa & 0xFFFFFF00U) | exponent_bias;
     Word s = store(multiply_add(load(a), b, m));
     if (x.odd) s = store(multiply(s, root_2));
-    return store(root_step(x.mantissa, s));
+    const Word r = reciprocal_quick(s);
+    return {store(root_step(x.mantissa, {s, r})), r};
 }
 
 /// The square root with a relative error below 3e-5 (the chip's: 1.3e-4). Of a negative number,
@@ -93,14 +103,16 @@ struct Quartered {
 [[nodiscard]] constexpr Word square_root_quick(Word x) noexcept {
     if (order_key(x) <= 0) return zero;
     const Quartered parts = quartered(x);
-    return scaled(mantissa_root_quick(parts), parts.scale);
+    return scaled(mantissa_root_quick(parts).root, parts.scale);
 }
 
 /// The square root, to nearest or one beside it. Of 0 and of a negative number: 0.
 [[nodiscard]] constexpr Word square_root(Word x) noexcept {
     if (order_key(x) <= 0) return zero;
     const Quartered parts = quartered(x);
-    const Word s = mantissa_root_quick(parts);
+    RootEstimate s = mantissa_root_quick(parts);
+    // The reciprocal is the line's; one Newton step brings it to the better root.
+    s.reciprocal = store(reciprocal_step(s.root, s.reciprocal));
     return scaled(round(root_step(parts.mantissa, s)), parts.scale);
 }
 

@@ -40,7 +40,8 @@ struct Unpacked {
     // The bit between sign and fraction is the sign's complement and is not stored.
     const std::int32_t mantissa =
         (static_cast<std::int32_t>(word) >> exponent_bits) ^ (1 << word_fraction_bits);
-    return {exponent == 0 ? 0 : mantissa, exponent};
+    const std::int32_t unless_zero = -static_cast<std::int32_t>(exponent != 0);  // faster than ?:
+    return {mantissa & unless_zero, exponent};
 }
 
 /// The word of a normalised mantissa and an exponent in 1..255, or of zero.
