@@ -93,7 +93,7 @@ struct Unpacked {
 }
 
 /// The word of an IEEE float, by the same rules.
-[[nodiscard]] constexpr Word word_of(float value) noexcept {
+[[nodiscard]] constexpr Word word_of_float(float value) noexcept {
     return word_of(static_cast<double>(value));
 }
 
