@@ -8,7 +8,7 @@
 
 namespace pxm::dsp32::exact {
 
-using Integer = boost::multiprecision::cpp_int;
+using Integer = boost::multiprecision::checked_int512_t;  // throws if 512 bits are too few
 
 /// digits * 2^scale.
 struct Number {
