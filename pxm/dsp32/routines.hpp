@@ -46,7 +46,8 @@ namespace pxm::dsp32::routines {
     return store(multiply(x, reciprocal_quick(y)));
 }
 
-/// x/y, to nearest or one beside it. x/0 is huge with the sign of x, and 0/0 is 0.
+/// x/y, to nearest or one beside it, for y as above and |x| >= 2^-103 (below that the remainder
+/// underflows and the quotient is a quick one). x/0 is huge with the sign of x, and 0/0 is 0.
 [[nodiscard]] constexpr Word divide(Word x, Word y) noexcept {
     const Word r = reciprocal_quick(y);
     const Word q = store(multiply(x, r));

@@ -50,6 +50,17 @@ TEST(Dsp32Routines, results_that_are_words_are_exact) {
     }
 }
 
+TEST(Dsp32Routines, a_quotient_of_a_tiny_numerator_is_at_least_a_quick_one) {
+    for (int e = -126; e <= -100; ++e) {
+        for (const double m : {1.0, 1.3, -1.7}) {
+            const double x = std::ldexp(m, e);
+            const double quotient = double_of(divide(word_of(x), word_of(0.7)));
+            const double error = e < -103 ? 2.1e-6 : 0x1p-23;
+            EXPECT_NEAR(quotient * double_of(word_of(0.7)) / double_of(word_of(x)), 1.0, error);
+        }
+    }
+}
+
 TEST(Dsp32Routines, results_scale_with_powers_of_two) {
     RandomWords words(32);
     for (int i = 0; i < 10'000; ++i) {
@@ -58,6 +69,9 @@ TEST(Dsp32Routines, results_scale_with_powers_of_two) {
         for (const int e : {-125, -50, -1, 1, 50, 125}) {
             const Word y = scaled(base, e);
             EXPECT_EQ(reciprocal(y), scaled(reciprocal(base), -e));
+            EXPECT_EQ(divide(one, y), scaled(divide(one, base), -e));
+            if (e < -100) continue;
+            EXPECT_EQ(divide(y, 0x12345680), scaled(divide(base, 0x12345680), e));
             if ((y >> 31) != 0 || e % 2 != 0) continue;
             EXPECT_EQ(square_root(y), scaled(square_root(base), e / 2));
             EXPECT_EQ(reciprocal_square_root(y), scaled(reciprocal_square_root(base), -e / 2));
