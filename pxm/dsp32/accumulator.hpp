@@ -48,8 +48,8 @@ struct Addend {
     const auto size = static_cast<std::uint64_t>(sum ^ (sum >> 63)) * 2 + 1;
     const int spare = std::countl_zero(size);
     const int result_exponent = exponent + (62 - adder_fraction_bits) - spare;
-    const bool in_range =
-        (result_exponent >= smallest_exponent) & (result_exponent <= largest_exponent);
+    constexpr auto exponents = static_cast<unsigned>(largest_exponent - smallest_exponent);
+    const bool in_range = static_cast<unsigned>(result_exponent - smallest_exponent) <= exponents;
     if (!in_range || sum == 0) [[unlikely]]
         return flushed(sum, result_exponent);
     const auto aligned = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) << spare);
@@ -69,10 +69,10 @@ struct Addend {
 /// The multiplier: the exact product, at full width. Its exponent has no limits; only the adder's
 /// result is judged.
 [[nodiscard]] constexpr Addend product(Word x, Word y) noexcept {
-    const Unpacked a = unpack(x);
-    const Unpacked b = unpack(y);
-    const std::int64_t mantissa = std::int64_t{a.mantissa} * b.mantissa;
-    return {mantissa, mantissa == 0 ? zero_exponent : a.exponent + b.exponent - exponent_bias};
+    const int a = exponent_field(x);
+    const int b = exponent_field(y);
+    if (a == 0 || b == 0) return {0, zero_exponent};
+    return {std::int64_t{mantissa_of_nonzero(x)} * mantissa_of_nonzero(y), a + b - exponent_bias};
 }
 
 /// A word on its way through the multiplier, times one.

@@ -34,14 +34,22 @@ struct Unpacked {
     bool operator==(const Unpacked&) const = default;
 };
 
+/// The exponent as stored, with its bias; 0 for a zero.
+[[nodiscard]] constexpr int exponent_field(Word word) noexcept {
+    return static_cast<int>(word & 0xFFU);
+}
+
+/// The mantissa of a word that is not zero. The bit between sign and fraction is the sign's
+/// complement and is not stored.
+[[nodiscard]] constexpr std::int32_t mantissa_of_nonzero(Word word) noexcept {
+    return (static_cast<std::int32_t>(word) >> exponent_bits) ^ (1 << word_fraction_bits);
+}
+
 /// The number in a word. Every word with e = 0 is zero, whatever its other bits say.
 [[nodiscard]] constexpr Unpacked unpack(Word word) noexcept {
-    const int exponent = static_cast<int>(word & 0xFFU);
-    // The bit between sign and fraction is the sign's complement and is not stored.
-    const std::int32_t mantissa =
-        (static_cast<std::int32_t>(word) >> exponent_bits) ^ (1 << word_fraction_bits);
-    const std::int32_t unless_zero = -static_cast<std::int32_t>(exponent != 0);  // faster than ?:
-    return {mantissa & unless_zero, exponent};
+    const int exponent = exponent_field(word);
+    const std::int32_t unless_zero = -static_cast<std::int32_t>(exponent != 0);  // no branch
+    return {mantissa_of_nonzero(word) & unless_zero, exponent};
 }
 
 /// The word of a normalised mantissa and an exponent in 1..255, or of zero.
