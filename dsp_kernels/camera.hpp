@@ -11,7 +11,7 @@ namespace pxm::kernels {
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Ray<Real> eye_ray(Node& node, std::uint32_t x, std::uint32_t y) noexcept {
     using Header = HeaderRecord<real_words<Real>>;
-    const Real half = from_double<Real>(0.5);
+    constexpr Real half = from_double<Real>(0.5);
     node.tally(Operation::multiply_add, 2);
     node.tally(Operation::integer, 3);
     const Real column = from_double<Real>(static_cast<double>(x)) + half;

@@ -61,7 +61,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     const Vec3<Real> z = scale(node, inverse, linear.rows[2]);
     Symmetric<Real> s{dot(node, x, x), dot(node, y, y), dot(node, z, z),
                       dot(node, x, y), dot(node, y, z), dot(node, z, x)};
-    const Real negligible = from_double<Real>(1e-12);
+    constexpr Real negligible = from_double<Real>(1e-12);
     for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) {
         node.tally(Operation::loop_turn, 1);
         node.tally(Operation::dot_product, 1);

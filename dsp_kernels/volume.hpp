@@ -64,7 +64,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     node.tally(Operation::call, 1);
     const Vec3<Real> low = read_vector(node, follow_set + FollowSet::low);
     const Vec3<Real> high = read_vector(node, follow_set + FollowSet::high);
-    const Real far = from_double<Real>(1e30);  // farther than any scene in scene units
+    constexpr Real far = from_double<Real>(1e30);  // farther than any scene in scene units
     Interval<Real> inside{-far, far};
     if (!clip_to_slab(node, ray.origin.x, ray.direction.x, low.x, high.x, inside)) return {};
     if (!clip_to_slab(node, ray.origin.y, ray.direction.y, low.y, high.y, inside)) return {};

@@ -155,7 +155,10 @@ class Howard {
             for (const Edge& edge : edges_[s]) {
                 const double value = edge.log_lip - mean_ + potential_[edge.to];
                 if (value <= potential_[s]) continue;
-                better = better || value > potential_[s] + improvement * (1 + std::abs(value));
+                // Round a long cycle the potential of the same edge can creep: that is rounding.
+                const bool other = edge.map != policy_[s].map;
+                better = better ||
+                         (other && value > potential_[s] + improvement * (1 + std::abs(value)));
                 potential_[s] = value;
                 policy_[s] = edge;
             }

@@ -134,7 +134,8 @@ struct Followers {
     std::vector<MapReference> references;
 };
 
-void add_follow_sets(const IfsBlock& block, MapNames& names, Rifs& rifs, Diagnostics& diagnostics) {
+void add_follow_sets(const IfsBlock& block, MapNames& names, FollowSets& sets, Rifs& rifs,
+                     Diagnostics& diagnostics) {
     std::vector<Followers> followers(rifs.maps.size());
     for (const FollowRule& rule : block.follow) {
         const auto map = names.find(rule.map);
@@ -144,7 +145,6 @@ void add_follow_sets(const IfsBlock& block, MapNames& names, Rifs& rifs, Diagnos
         of_map.references.insert(of_map.references.end(), rule.followers.begin(),
                                  rule.followers.end());
     }
-    FollowSets sets(rifs.follow_sets);
     int everything = -1;  // the set of all maps, made when the first map needs it
     for (std::size_t m = 0; m < rifs.maps.size(); ++m) {
         if (followers[m].first_rule == nullptr) {
@@ -217,10 +217,11 @@ Rifs build_rifs(const IfsBlock& block, Diagnostics& diagnostics) {
     }
     MapNames names(block, diagnostics);
     add_maps(block, rifs, diagnostics);
-    add_follow_sets(block, names, rifs, diagnostics);
+    FollowSets sets(rifs.follow_sets);
+    add_follow_sets(block, names, sets, rifs, diagnostics);
     const std::vector<int> start =
         block.start.empty() ? source_maps(rifs) : names.find_all(block.start);
-    rifs.start = FollowSets(rifs.follow_sets).add(start);
+    rifs.start = sets.add(start);
     if (!block.start.empty() && !start.empty()) {
         warn_of_unreached_maps(block, rifs, diagnostics);
     }

@@ -168,7 +168,9 @@ void write_image(const std::string& path, const Frame& frame, const std::vector<
     spec.attribute("Software", "pxm " PXM_VERSION);
     spec.attribute("oiio:ColorSpace", floats ? "Linear" : "sRGB");
     if (extension_of(path) == "exr") spec.attribute("compression", "zip");
-    for (const auto& [name, value] : metadata) spec.attribute("pxm:" + name, value);
+    if (extension_of(path) == "exr") {
+        for (const auto& [name, value] : metadata) spec.attribute("pxm:" + name, value);
+    }
 
     std::vector<float> values;
     std::vector<unsigned char> bytes;

@@ -118,6 +118,7 @@ std::string describe(const CompiledScene& scene, long x, long y) {
 
 std::string describe_pixel(const CompiledScene& scene, Numeric numeric, long x, long y) {
     if (numeric == Numeric::twice) return describe<double>(scene, x, y);
+    if (numeric == Numeric::dsp32) return describe<dsp32::Float>(scene, x, y);
     return describe<float>(scene, x, y);
 }
 

@@ -100,6 +100,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
 EngineResult run_natively(const CompiledScene& scene, const EngineChoice& choice,
                           const RunControl& control) {
     if (choice.numeric == Numeric::twice) return run<double>(scene, choice, control);
+    if (choice.numeric == Numeric::dsp32) return run<dsp32::Float>(scene, choice, control);
     return run<float>(scene, choice, control);
 }
 

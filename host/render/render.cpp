@@ -60,9 +60,10 @@ Prepared prepare(const RenderRequest& request) {
     return prepared;
 }
 
-Numeric numeric_of(const Prepared& prepared) {
+/// The machine's own numbers on the machine, float on the cores at hand, unless the scene says.
+Numeric numeric_of(const Prepared& prepared, const RenderRequest& request) {
     const RenderBlock render = prepared.scene.render.value_or(RenderBlock{});
-    return render.numeric.value_or(Numeric::single);
+    return render.numeric.value_or(request.machine ? Numeric::dsp32 : Numeric::single);
 }
 
 const char* name_of(Numeric numeric) {
@@ -83,7 +84,7 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     PhaseClock clock;
     const Prepared prepared = prepare(request);
     const NodeProgram program = link(prepared.compiled);
-    const EngineChoice choice{request.machine, numeric_of(prepared), request.threads};
+    const EngineChoice choice{request.machine, numeric_of(prepared, request), request.threads};
     EngineResult run = request.machine ? run_on_machine(prepared.compiled, choice, control)
                                        : run_natively(prepared.compiled, choice, control);
 
@@ -128,7 +129,7 @@ std::string explain_pixel(const RenderRequest& request, long x, long y) {
         throw Error(ExitCode::command_line, fmt::format("--pixel {},{} is outside the {}x{} image",
                                                         x, y, size.columns, size.rows));
     }
-    return prepared.warnings + describe_pixel(prepared.compiled, numeric_of(prepared), x, y);
+    return prepared.warnings + describe_pixel(prepared.compiled, numeric_of(prepared, request), x, y);
 }
 
 }  // namespace pxm::host

@@ -187,10 +187,13 @@ std::uint64_t block_hash(const std::vector<std::uint32_t>& block) {
     return hash;
 }
 
+template double smallest_pixel_share<dsp32::Float>();
 template double smallest_pixel_share<float>();
 template double smallest_pixel_share<double>();
+template std::vector<std::uint32_t> make_scene_block<dsp32::Float>(const CompiledScene&);
 template std::vector<std::uint32_t> make_scene_block<float>(const CompiledScene&);
 template std::vector<std::uint32_t> make_scene_block<double>(const CompiledScene&);
+template std::uint32_t object_index<dsp32::Float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t object_index<float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t object_index<double>(const std::vector<std::uint32_t>&, std::uint32_t);
 

@@ -34,8 +34,6 @@ void check_render(const RenderBlock& render, Diagnostics& diagnostics) {
             render.intersect_position,
             fmt::format("render: 'intersect: {}'", word_of(intersect_words, *render.intersect)),
             diagnostics);
-    if (render.numeric == Numeric::dsp32)
-        unsupported(render.numeric_position, "render: 'numeric: dsp32'", diagnostics);
     if (render.volume == VolumeKind::oriented || render.volume == VolumeKind::hull)
         unsupported(render.volume_position,
                     fmt::format("render: 'volume: {}'", word_of(volume_words, *render.volume)),
