@@ -16,10 +16,10 @@ enum class Certainty : char { seen = 'S', derived = 'D', recalled = 'R', assumed
 /// One member of the family. Node (i,j) owns the pixels with x mod columns = i and y mod rows = j.
 struct Model {
     std::string_view name;
-    int columns;              // of the pixel node array
+    int columns;  // of the pixel node array
     int rows;
     Certainty array_certainty;
-    int natural_width;        // of the natural raster, pixels
+    int natural_width;  // of the natural raster, pixels
     int natural_height;
 
     [[nodiscard]] constexpr int nodes() const { return columns * rows; }
@@ -29,7 +29,7 @@ inline constexpr std::int64_t fast_memory_bytes = 36'864;  // S: Ch. 19; program
 inline constexpr std::int64_t bank_bytes = 262'144;        // D: 48 MB / 64 nodes / 3 banks
 inline constexpr std::int64_t zbuffer_part_bytes = 131'072;  // A: half of the z-buffer/texture bank
 inline constexpr std::int64_t texture_part_bytes = bank_bytes - zbuffer_part_bytes;  // A: the rest
-inline constexpr double instruction_seconds = 200e-9;      // D: 5 MIPS, Ch. 19
+inline constexpr double instruction_seconds = 200e-9;  // D: 5 MIPS, Ch. 19
 
 /// All models, 916 first.
 [[nodiscard]] std::span<const Model> models();

@@ -10,7 +10,7 @@ namespace pxm::host {
 
 /// x' = x T + a. Default: the identity.
 struct Affine {
-    glm::dmat3 linear{1.0};        // T; linear[i] is row i of the thesis' matrix
+    glm::dmat3 linear{1.0};       // T; linear[i] is row i of the thesis' matrix
     glm::dvec3 translation{0.0};  // a, row 4 of the thesis' matrix
 
     /// The image of a point.

@@ -1,5 +1,5 @@
-// Bounding volumes that provably contain the attractor (Ch. 14, and thesis-notes "After the thesis").
-// One ball and one box per follow set: for what may stand inside a map.
+// Bounding volumes that provably contain the attractor (Ch. 14, and thesis-notes "After the
+// thesis"). One ball and one box per follow set: for what may stand inside a map.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -30,8 +30,9 @@ struct Bounds {
 /// Bounds for every follow set. Precondition: the system contracts (`proof` is not none).
 [[nodiscard]] std::vector<Bounds> bound(const Rifs& rifs, const Contraction& contraction);
 
-/// By how much E_s of follow set `set` sticks out of a declared volume: 0 (or less) if it is contained,
-/// else the largest distance found; an upper bound, never too small. `bounds` as from bound().
+/// By how much E_s of follow set `set` sticks out of a declared volume: 0 (or less) if it is
+/// contained, else the largest distance found; an upper bound, never too small. `bounds` as from
+/// bound().
 [[nodiscard]] double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
                               const SphereVolume& volume);
 [[nodiscard]] double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,

@@ -11,9 +11,9 @@ namespace pxm::host {
 
 /// T = U diag(values) V^T, values falling. In row-vector terms x T: see singular_values.cpp.
 struct SingularValues {
-    std::array<double, 3> values;              // largest first
-    std::array<glm::dvec3, 3> input;           // unit: direction that is stretched by values[i] ...
-    std::array<glm::dvec3, 3> output;          // ... and its image's unit direction: x T
+    std::array<double, 3> values;      // largest first
+    std::array<glm::dvec3, 3> input;   // unit: direction that is stretched by values[i] ...
+    std::array<glm::dvec3, 3> output;  // ... and its image's unit direction: x T
 };
 [[nodiscard]] SingularValues singular_values(const glm::dmat3& linear);
 
@@ -27,8 +27,8 @@ enum class MapKind { homothety, similitude, affine, singular };
 /// singular: smallest singular value below 1e-12 of the largest.
 [[nodiscard]] MapKind classify(const Affine& map);
 
-/// The map with each vanishing singular value (below 1e-12 of the largest, or of 1 for the zero map)
-/// raised to `thickness`, so that it has an inverse. A regular map is returned unchanged.
+/// The map with each vanishing singular value (below 1e-12 of the largest, or of 1 for the zero
+/// map) raised to `thickness`, so that it has an inverse. A regular map is returned unchanged.
 [[nodiscard]] Affine lift(const Affine& map, double thickness);
 
 }  // namespace pxm::host

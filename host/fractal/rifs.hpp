@@ -22,10 +22,10 @@ struct FollowSet {
 struct Rifs {
     std::string name;
     std::vector<Affine> maps;
-    std::vector<std::string> map_names;    // "1", "2", ... where the scene gives none
-    std::vector<FollowSet> follow_sets;    // all different from each other
-    std::vector<int> follow_of;            // per map: the follow set of what may stand inside it
-    int start = 0;                         // the follow set of the outermost maps
+    std::vector<std::string> map_names;  // "1", "2", ... where the scene gives none
+    std::vector<FollowSet> follow_sets;  // all different from each other
+    std::vector<int> follow_of;          // per map: the follow set of what may stand inside it
+    int start = 0;                       // the follow set of the outermost maps
 };
 
 /// Builds the system of an ifs block: resolves names, shares follow sets, and finds the start maps
@@ -33,6 +33,9 @@ struct Rifs {
 /// Unknown names, maps that nothing may follow and an ifs without maps are errors; maps that no
 /// start map leads to are warnings. The result is usable only if no error was added.
 [[nodiscard]] Rifs build_rifs(const IfsBlock& block, Diagnostics& diagnostics);
+
+/// What messages call a map: `map "stem"`, or `map 3` where the scene gives no name.
+[[nodiscard]] std::string spoken_name(const Rifs& rifs, int map);
 
 /// Strongly connected components of the map graph in descent order, each a rising list of map
 /// indices, in an order where every edge between components leads from an earlier to a later one.

@@ -7,10 +7,12 @@
 
 namespace pxm::host {
 
-/// Checks names, ranges and graphs of everything in the scene; errors and warnings go to `diagnostics`.
+/// Checks names, ranges and graphs of everything in the scene; errors and warnings go to
+/// `diagnostics`.
 void check_scene(const Scene& scene, Diagnostics& diagnostics);
 
-/// Reports, as errors that say "not supported yet", what the scene uses and this version cannot render.
+/// Reports, as errors that say "not supported yet", what the scene uses and this version cannot
+/// render.
 void check_supported(const Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace pxm::host

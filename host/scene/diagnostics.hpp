@@ -14,6 +14,7 @@ namespace pxm::host {
 class Diagnostics {
   public:
     static constexpr int error_limit = 20;
+    static constexpr int warning_limit = 20;
 
     void error(const Position& position, const std::string& message);
     void warning(const Position& position, const std::string& message);
@@ -22,7 +23,14 @@ class Diagnostics {
     /// True once error_limit errors were collected: a parser may give up.
     [[nodiscard]] bool full() const { return errors_ >= error_limit; }
 
-    /// Errors and warnings in the order found, each as file:line:column, message, the line and a caret.
+    /// Takes over all entries of another collection.
+    void append(const Diagnostics& other);
+
+    /// True once an error had to be left out: nothing that follows would be shown.
+    [[nodiscard]] bool overflowed() const { return more_errors_; }
+
+    /// Errors and warnings in the order found, each as file:line:column, message, the line and a
+    /// caret. No newline at the end.
     [[nodiscard]] std::string text(const std::vector<SourceFile>& files) const;
     /// The warnings alone.
     [[nodiscard]] std::string warnings_text(const std::vector<SourceFile>& files) const;
@@ -35,8 +43,13 @@ class Diagnostics {
         std::string message;
         bool is_error;
     };
+    [[nodiscard]] std::string format(const std::vector<SourceFile>& files, bool errors_too) const;
+
     std::vector<Entry> entries_;
     int errors_ = 0;
+    int warnings_ = 0;
+    bool more_errors_ = false;
+    bool more_warnings_ = false;
 };
 
 }  // namespace pxm::host

@@ -15,8 +15,9 @@ using FileReader = std::function<std::string(const std::string& path)>;
 /// The real file system; a directory, a missing file or one over 64 MB is an Error(ExitCode::file).
 [[nodiscard]] std::string read_file(const std::string& path);
 
-/// Parses the scene file at `path`. Syntax errors go to `diagnostics` (the parser goes on after each);
-/// scene.files is filled in either case. An include that cannot be found is a scene error at its place.
+/// Parses the scene file at `path`. Syntax errors go to `diagnostics` (the parser goes on after
+/// each); scene.files is filled in either case. An include that cannot be found is a scene error at
+/// its place.
 [[nodiscard]] Scene parse_scene(const std::string& path, Diagnostics& diagnostics,
                                 const FileReader& reader = read_file);
 

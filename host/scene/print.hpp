@@ -7,7 +7,8 @@
 
 namespace pxm::host {
 
-/// The scene in the scene language, one directive a line, numbers in the shortest form that reads back the same.
+/// The scene in the scene language, one directive a line, numbers in the shortest form that reads
+/// back the same.
 [[nodiscard]] std::string print_scene(const Scene& scene);
 
 }  // namespace pxm::host

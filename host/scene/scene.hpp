@@ -1,6 +1,7 @@
-// A scene as the text says it: blocks, directives and values, names still names (docs/scene-language.md).
-// What is left out stays empty here; defaults are filled in by the compiler (host/render/compile).
-// Equality ignores positions in the source, so that parse(print(scene)) == scene can be tested.
+// A scene as the text says it: blocks, directives and values, names still names
+// (docs/scene-language.md). What is left out stays empty here; defaults are filled in by the
+// compiler (host/render/compile). Equality ignores positions in the source, so that
+// parse(print(scene)) == scene can be tested.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 #include <glm/vec4.hpp>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -29,7 +31,6 @@ struct Position {
 struct SourceFile {
     std::string name;
     std::string text;
-    bool operator==(const SourceFile&) const { return true; }
 };
 
 /// A number with its exact text: deep zooms need more digits than a double holds.
@@ -203,7 +204,8 @@ struct CameraBlock {
     bool operator==(const CameraBlock&) const = default;
 };
 
-// --- image and render: each value may also come from the command line, which wins -----------------
+// --- image and render: each value may also come from the command line, which wins
+// -----------------
 struct PixelSize {
     long columns = 640;
     long rows = 480;
@@ -252,8 +254,8 @@ struct RenderBlock {
     std::optional<VolumeKind> volume;
     std::optional<long> heap;
     std::optional<long> bounces;
-    Position position;          // of the block
-    Position covers_position;   // of directives that may not be supported yet
+    Position position;         // of the block
+    Position covers_position;  // of directives that may not be supported yet
     Position samples_position;
     Position intersect_position;
     Position numeric_position;
@@ -272,7 +274,15 @@ struct Scene {
     std::optional<CameraBlock> camera;
     std::optional<ImageBlock> image;
     std::optional<RenderBlock> render;
-    bool operator==(const Scene&) const = default;
+
+    /// The same whatever files it was read from: an include leaves no trace.
+    bool operator==(const Scene& other) const {
+        const auto blocks = [](const Scene& s) {
+            return std::tie(s.ifs, s.objects, s.planes, s.textures, s.lights, s.camera, s.image,
+                            s.render);
+        };
+        return blocks(*this) == blocks(other);
+    }
 };
 
 /// The affine map that a list of commands composes to, in the order written.

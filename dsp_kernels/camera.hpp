@@ -1,0 +1,31 @@
+// Eye rays (Sec. 13.1, Ch. 15): one through the centre of each pixel.
+// Node code: no allocation, no exceptions.
+#pragma once
+
+#include "dsp_kernels/ray.hpp"
+#include "dsp_kernels/scene_block.hpp"
+
+namespace pxm::kernels {
+
+/// The eye's ray through the centre of pixel (x, y); its direction is a unit vector.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Ray<Real> eye_ray(Node& node, std::uint32_t x, std::uint32_t y) noexcept {
+    using Header = HeaderRecord<real_words<Real>>;
+    constexpr Real half = from_double<Real>(0.5);
+    node.tally(Operation::multiply_add, 2);
+    node.tally(Operation::integer, 3);
+    const Real column = from_double<Real>(static_cast<double>(x)) + half;
+    const Real row = from_double<Real>(static_cast<double>(y)) + half;
+    const Vec3<Real> eye = read_vector(node, Header::eye);
+    Vec3<Real> on_plane = read_vector(node, Header::corner);
+    on_plane = add_scaled(node, on_plane, column, read_vector(node, Header::across));
+    on_plane = add_scaled(node, on_plane, row, read_vector(node, Header::down));
+    const auto projection = static_cast<Projection>(node.shape_word(Header::projection));
+    if (projection == Projection::orthographic) {
+        return {add_scaled(node, eye, Real(1), on_plane), read_vector(node, Header::forward),
+                Real(0)};
+    }
+    return {eye, normalize(node, on_plane), Real(0)};
+}
+
+}  // namespace pxm::kernels

@@ -1,0 +1,47 @@
+// A cell: the instance of a bounding volume that a word of maps leads to, as one ray meets it. This
+// is an entry of the heap. The inverse M_i^-1 of Alg. 12.4 is kept as what it is needed for: the
+// ray's origin o M_i^-1 and direction d M_i^-1. Node code: no allocation, no exceptions.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+#include "dsp_kernels/ray.hpp"
+#include "dsp_kernels/word.hpp"
+
+namespace pxm::kernels {
+
+template <class Real>
+struct Cell {
+    Ray<Real> ray;             // in the cell's own coordinates, re-based to its volume's centre
+    Real key{};                // start of the ray's interval: max(parent's key, entry), Erratum 3
+    Real exit{};               // its end: min(parent's exit, exit)
+    Real constant{};           // Lipschitz constant of the composed map (product, determinant)
+    Linear<Real> linear{};     // composed linear part (polar)
+    std::uint32_t object = 0;  // address of the object record
+    std::uint32_t follow_set = 0;  // address of the volume's record and the maps that may come next
+    std::uint16_t level = 0;       // length of the word
+    std::uint16_t bits = 1;        // of a symbol
+    CellWord word;                 // only the part in use is kept
+};
+
+/// Copies a cell, of its word only the part in use.
+template <class Real>
+void copy_cell(Cell<Real>& to, const Cell<Real>& from) noexcept {
+    constexpr std::size_t fixed_bytes = offsetof(Cell<Real>, word);
+    std::memcpy(static_cast<void*>(&to), &from,
+                fixed_bytes + 4 * CellWord::used(from.level, from.bits));
+}
+
+/// The order in which cells are searched and shown: (key, object, word).
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] bool before(Node& node, const Cell<Real>& a, const Cell<Real>& b) noexcept {
+    node.tally(Operation::compare_branch, 1);
+    if (a.key < b.key) return true;
+    if (b.key < a.key) return false;
+    node.tally(Operation::integer, 2U + CellWord::used(a.level, a.bits));
+    if (a.object != b.object) return a.object < b.object;
+    return word_before(a.word, a.level, b.word, b.level, a.bits);
+}
+
+}  // namespace pxm::kernels

@@ -1,0 +1,142 @@
+// The heap of cells (Def. 12.1, Erratum 1: the top is the smallest), bounded, in z-buffer memory.
+// A full heap loses nothing: the largest cell is dropped and the smallest cell ever dropped, D, is
+// remembered. What is not before D need not be kept, so every cell in the heap is before D, and
+// when the heap runs empty the search goes on from D (dsp_kernels/next_after.hpp). Node code: no
+// allocation, no exceptions.
+#pragma once
+
+#include <cstdint>
+
+#include "dsp_kernels/cell.hpp"
+
+namespace pxm::kernels {
+
+/// A binary heap of slot numbers over fixed slots: cells are written once and moved by number.
+template <NodeLike Node>
+class Heap {
+  public:
+    using Entry = Cell<typename Node::Real>;
+
+    /// Lays the heap over the node's z-buffer memory.
+    explicit Heap(Node& node) noexcept
+        : node_(node),
+          order_(node.heap_order()),
+          slots_(node.template heap_records<Entry>()),
+          capacity_(static_cast<std::uint32_t>(node.heap_capacity())) {
+        for (std::uint32_t i = 0; i < capacity_; ++i) order_[i] = i;
+    }
+
+    void clear() noexcept {
+        size_ = 0;
+        peak_ = 0;
+        overflowed_ = false;
+    }
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] std::uint32_t capacity() const noexcept { return capacity_; }
+    /// The most cells held since clear().
+    [[nodiscard]] std::uint32_t peak() const noexcept { return peak_; }
+    /// Whether a cell was dropped since clear(), and the smallest of those.
+    [[nodiscard]] bool overflowed() const noexcept { return overflowed_; }
+    [[nodiscard]] const Entry& smallest_dropped() const noexcept { return dropped_; }
+
+    /// Adds a cell, or drops the largest of all.
+    void push(const Entry& cell) noexcept {
+        if (overflowed_ && !before(node_, cell, dropped_)) return;
+        if (size_ == capacity_) {
+            const std::uint32_t largest = find_largest();
+            if (!before(node_, cell, entry(largest))) {
+                drop(cell);
+                return;
+            }
+            drop(entry(largest));
+            write(largest, cell);
+            sift_up(largest);
+            return;
+        }
+        write(size_, cell);
+        sift_up(size_++);
+        if (peak_ < size_) peak_ = size_;
+    }
+
+    /// Removes the smallest cell and copies it to `cell`. Precondition: not empty.
+    void pop(Entry& cell) noexcept {
+        tally_words(entry(0));
+        copy_cell(cell, entry(0));
+        swap(0, --size_);
+        sift_down();
+    }
+
+    /// The slots as plain records: next_after keeps a path of cells in them while the heap is idle.
+    [[nodiscard]] Entry& slot(std::uint32_t index) noexcept { return slots_[index]; }
+
+  private:
+    [[nodiscard]] Entry& entry(std::uint32_t place) noexcept { return slots_[order_[place]]; }
+
+    void write(std::uint32_t place, const Entry& cell) noexcept {
+        tally_words(cell);
+        copy_cell(entry(place), cell);
+    }
+    void drop(const Entry& cell) noexcept {
+        overflowed_ = true;
+        copy_cell(dropped_, cell);
+    }
+    void swap(std::uint32_t a, std::uint32_t b) noexcept {
+        const std::uint32_t slot = order_[a];
+        order_[a] = order_[b];
+        order_[b] = slot;
+    }
+    void tally_step() noexcept {
+        node_.tally(Operation::heap_sift, 1);
+        node_.tally(Operation::heap_scattered, 2);
+    }
+    void tally_words(const Entry& cell) noexcept {
+        constexpr std::size_t fixed_words = offsetof(Entry, word) / 4;
+        node_.tally(Operation::heap_scattered, 1);
+        node_.tally(Operation::heap_sequential,
+                    fixed_words - 1 + CellWord::used(cell.level, cell.bits));
+    }
+
+    void sift_up(std::uint32_t place) noexcept {
+        while (place > 0) {
+            const std::uint32_t above = (place - 1) / 2;
+            tally_step();
+            if (!before(node_, entry(place), entry(above))) return;
+            swap(place, above);
+            place = above;
+        }
+    }
+    void sift_down() noexcept {
+        std::uint32_t place = 0;
+        while (true) {
+            std::uint32_t smallest = place;
+            for (std::uint32_t below = 2 * place + 1; below <= 2 * place + 2; ++below) {
+                if (below < size_ && before(node_, entry(below), entry(smallest))) smallest = below;
+            }
+            tally_step();
+            if (smallest == place) return;
+            swap(place, smallest);
+            place = smallest;
+        }
+    }
+    /// The place of the largest cell: it is among the leaves.
+    [[nodiscard]] std::uint32_t find_largest() noexcept {
+        std::uint32_t largest = size_ / 2;
+        for (std::uint32_t place = largest + 1; place < size_; ++place) {
+            node_.tally(Operation::loop_turn, 1);
+            node_.tally(Operation::heap_scattered, 1);
+            if (before(node_, entry(largest), entry(place))) largest = place;
+        }
+        return largest;
+    }
+
+    Node& node_;
+    std::uint32_t* order_;
+    Entry* slots_;
+    std::uint32_t capacity_;
+    std::uint32_t size_ = 0;
+    std::uint32_t peak_ = 0;
+    bool overflowed_ = false;
+    Entry dropped_;
+};
+
+}  // namespace pxm::kernels

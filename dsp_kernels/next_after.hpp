@@ -1,0 +1,146 @@
+// The search that needs no heap: a depth-first descent in word order that finds the smallest
+// terminal cell not before a given cell D. It finishes the rays whose heap overflowed; everything
+// before D was searched by then. Only the word of the path is kept, and in the heap's slots the
+// cells on it; where the path is longer than the heap, cells are made again from the word. Node
+// code: no allocation, no exceptions.
+#pragma once
+
+#include "dsp_kernels/descend.hpp"
+#include "dsp_kernels/heap.hpp"
+#include "dsp_kernels/search_result.hpp"
+#include "dsp_kernels/watch.hpp"
+
+namespace pxm::kernels {
+
+/// The path of cells from an object's outermost cell down to the one being looked at: the first
+/// ones in the heap's slots, beyond those only the last one.
+template <NodeLike Node>
+class CellPath {
+  public:
+    using Real = typename Node::Real;
+
+    CellPath(Node& node, const Search<Real>& search, Heap<Node>& heap) noexcept
+        : node_(node), search_(search), heap_(heap) {}
+
+    /// The cell at the end of the path.
+    [[nodiscard]] Cell<Real>& last() noexcept { return last_; }
+
+    /// Starts at an object; false if the ray does not meet it.
+    [[nodiscard]] bool start(std::uint32_t object) noexcept {
+        outermost_cell(node_, search_, object, last_);
+        return meet(node_, search_, last_, Real(0), from_double<Real>(1e30));
+    }
+
+    /// Goes down to the map; if the ray does not meet its cell, stays where it is and returns
+    /// false.
+    [[nodiscard]] bool down(std::uint32_t map) noexcept {
+        Cell<Real> child;
+        child_cell(node_, last_, map, child);
+        if (!meet(node_, search_, child, last_.key, last_.exit)) return false;
+        if (is_polar(node_, last_.object)) complete_child(node_, last_, map, child);
+        if (last_.level < heap_.capacity()) copy_cell(heap_.slot(last_.level), last_);
+        copy_cell(last_, child);
+        return true;
+    }
+
+    /// Goes up one level and returns the symbol that was left. Precondition: not at an object.
+    [[nodiscard]] std::uint32_t up() noexcept {
+        const std::uint32_t level = last_.level - 1U;
+        const std::uint32_t symbol = last_.word.get(level, last_.bits);
+        if (level < heap_.capacity()) {
+            copy_cell(last_, heap_.slot(level));
+        } else {
+            make_again(level);
+        }
+        return symbol;
+    }
+
+  private:
+    /// Walks down again to `level` along the word of the last cell. The same steps give the same
+    /// cells.
+    void make_again(std::uint32_t level) noexcept {
+        Cell<Real> longer;
+        copy_cell(longer, last_);
+        copy_cell(last_, heap_.slot(heap_.capacity() - 1));
+        while (last_.level < level) {
+            const std::uint32_t symbol = longer.word.get(last_.level, longer.bits);
+            Cell<Real> child;
+            const std::uint32_t map = map_from(node_, last_.follow_set, symbol);
+            child_cell(node_, last_, map, child);
+            (void)meet(node_, search_, child, last_.key, last_.exit);
+            if (is_polar(node_, last_.object)) complete_child(node_, last_, map, child);
+            copy_cell(last_, child);
+        }
+    }
+
+    Node& node_;
+    const Search<Real>& search_;
+    Heap<Node>& heap_;
+    Cell<Real> last_;
+};
+
+/// Searches one object. `result` holds the best cell so far and is replaced by a smaller one.
+/// False if the cap on cells was reached.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] bool next_after_in(Node& node, const Search<Real>& search, const Cell<Real>& bound,
+                                 CellPath<Node>& path, SearchResult<Real>& result,
+                                 SearchCounts& counts) noexcept {
+    std::uint32_t symbol = 0;  // the next symbol to try inside the last cell
+    bool arrived = true;       // at a cell not looked at before
+    while (true) {
+        node.tally(Operation::loop_turn, 1);
+        Cell<Real>& cell = path.last();
+        if (arrived) {
+            // Cells come in word order, so a cell is smaller than the best one only by its key.
+            const bool hopeless = cell.exit < bound.key ||
+                                  (result.outcome == Outcome::hit && !(cell.key < result.cell.key));
+            const Ending end = hopeless ? Ending::terminal : ending(node, search, cell);
+            if (end == Ending::word_full || counts.volumes_tested >= search.cell_cap) return false;
+            if (end == Ending::terminal) {
+                if (!hopeless && !before(node, cell, bound)) {
+                    result.outcome = Outcome::hit;
+                    copy_cell(result.cell, cell);
+                }
+                symbol = 0xFFFF'FFFF;  // nothing inside
+            } else {
+                symbol = 0;
+            }
+            arrived = false;
+        }
+        const std::uint32_t map =
+            symbol == 0xFFFF'FFFF ? 0 : map_from(node, cell.follow_set, symbol);
+        if (map == 0) {
+            if (cell.level == 0) return true;
+            symbol = path.up() + 1;
+            continue;
+        }
+        using Map = MapRecord<real_words<Real>>;
+        symbol = node.shape_word(map + Map::symbol) + 1;
+        ++counts.volumes_tested;
+        arrived = path.down(map);
+    }
+}
+
+/// The smallest terminal cell not before the smallest cell that `heap` dropped, or a miss.
+template <NodeLike Node, class Real = typename Node::Real>
+void next_after(Node& node, const Search<Real>& search, Heap<Node>& heap,
+                SearchResult<Real>& result, SearchCounts& counts) noexcept {
+    using Header = HeaderRecord<real_words<Real>>;
+    using Object = ObjectRecord<real_words<Real>>;
+    node.tally(Operation::call, 1);
+    ++counts.restarts;
+    const Cell<Real>& bound = heap.smallest_dropped();
+    CellPath<Node> path(node, search, heap);
+    std::uint32_t object = node.shape_word(Header::objects);
+    for (std::uint32_t left = node.shape_word(Header::object_count); left > 0; --left) {
+        ++counts.volumes_tested;
+        if (path.start(object) && !next_after_in(node, search, bound, path, result, counts)) {
+            if (result.outcome == Outcome::miss) copy_cell(result.cell, bound);
+            result.outcome = Outcome::capped;
+            return;
+        }
+        object += Object::words;
+    }
+}
+
+}  // namespace pxm::kernels

@@ -1,0 +1,113 @@
+// The scene block: what the host broadcasts into every node's back frame buffer (Ch. 19), as words
+// in the node's format. Records are integers first, then numbers; host/render/scene_block_writer
+// fills them in and the kernels read them back. Addresses are word addresses from the start of the
+// block.
+//
+// All lengths are in *scene units*: the host moves the eye to the origin and scales by a power of
+// two, so that a node's numbers stay near 1 whatever the units of the scene.
+#pragma once
+
+#include <cstdint>
+
+namespace pxm::kernels {
+
+/// Where a record's fields lie: `integers` words, then numbers of `R` words each.
+template <std::uint32_t R, std::uint32_t Integers, std::uint32_t Reals>
+struct Record {
+    static constexpr std::uint32_t words = Integers + Reals * R;
+    [[nodiscard]] static constexpr std::uint32_t integer(std::uint32_t field) { return field; }
+    [[nodiscard]] static constexpr std::uint32_t real(std::uint32_t field) {
+        return Integers + field * R;
+    }
+};
+
+enum class ShadingMode : std::uint32_t { constant, low_pass, high_pass, facet };
+enum class Projection : std::uint32_t { perspective, orthographic };
+enum class Volume : std::uint32_t { sphere, box };
+enum class Lipschitz : std::uint32_t { product, determinant, polar };
+enum class LightKind : std::uint32_t { directional, point };
+
+inline constexpr std::uint32_t unlimited_levels = 0xFFFF'FFFF;
+
+/// At address 0. Pixel (x, y) looks through corner + (x + 1/2) across + (y + 1/2) down.
+template <std::uint32_t R>
+struct HeaderRecord : Record<R, 16, 28> {
+    using Base = Record<R, 16, 28>;
+    // integers
+    static constexpr std::uint32_t width = Base::integer(0);
+    static constexpr std::uint32_t height = Base::integer(1);
+    static constexpr std::uint32_t crop = Base::integer(2);  // x0, y0, x1, y1, half open
+    static constexpr std::uint32_t object_count = Base::integer(6);
+    static constexpr std::uint32_t objects = Base::integer(7);  // address of the first record
+    static constexpr std::uint32_t light_count = Base::integer(8);
+    static constexpr std::uint32_t lights = Base::integer(9);
+    static constexpr std::uint32_t shading = Base::integer(10);
+    static constexpr std::uint32_t projection = Base::integer(11);
+    static constexpr std::uint32_t cell_cap = Base::integer(12);
+    // numbers
+    static constexpr std::uint32_t eye = Base::real(0);
+    static constexpr std::uint32_t corner = Base::real(3);
+    static constexpr std::uint32_t across = Base::real(6);
+    static constexpr std::uint32_t down = Base::real(9);
+    static constexpr std::uint32_t forward = Base::real(12);
+    static constexpr std::uint32_t pixel_at_eye = Base::real(15);  // p(t) = pixel_at_eye
+    static constexpr std::uint32_t pixel_growth = Base::real(16);  //      + pixel_growth t
+    static constexpr std::uint32_t detail = Base::real(17);
+    static constexpr std::uint32_t ambient = Base::real(18);  // k_a c_a of Eq. 17.1
+    static constexpr std::uint32_t background = Base::real(21);
+};
+
+/// One object: an instance of a linear fractal.
+template <std::uint32_t R>
+struct ObjectRecord : Record<R, 6, 27> {
+    using Base = Record<R, 6, 27>;
+    static constexpr std::uint32_t start_set = Base::integer(0);  // address of a follow set
+    static constexpr std::uint32_t lipschitz = Base::integer(1);
+    static constexpr std::uint32_t levels = Base::integer(2);        // or unlimited_levels
+    static constexpr std::uint32_t symbol_bits = Base::integer(3);   // of a map in a cell's word
+    static constexpr std::uint32_t lifted = Base::integer(4);        // 1: has lifted singular maps
+    static constexpr std::uint32_t inverse = Base::real(0);          // M^-1 of the instance
+    static constexpr std::uint32_t linear = Base::real(12);          // T of the instance
+    static constexpr std::uint32_t constant = Base::real(21);        // its Lipschitz constant
+    static constexpr std::uint32_t smallest_pixel = Base::real(22);  // p never falls below
+    static constexpr std::uint32_t color = Base::real(23);
+    static constexpr std::uint32_t diffuse = Base::real(26);  // k_d of Eq. 17.1
+};
+
+/// What may stand inside a map: its bounding volume and the maps that may come next.
+/// The addresses of the maps follow the record, in the order of the maps.
+template <std::uint32_t R>
+struct FollowSetRecord : Record<R, 3, 10> {
+    using Base = Record<R, 3, 10>;
+    static constexpr std::uint32_t volume = Base::integer(0);
+    static constexpr std::uint32_t map_count = Base::integer(1);
+    static constexpr std::uint32_t center = Base::real(0);  // rays are re-based to here
+    static constexpr std::uint32_t radius = Base::real(3);  // of a sphere
+    static constexpr std::uint32_t low = Base::real(3);     // corners of a box
+    static constexpr std::uint32_t high = Base::real(6);
+    static constexpr std::uint32_t diameter = Base::real(9);
+    static constexpr std::uint32_t maps = Base::words;
+};
+
+/// One map of a system.
+template <std::uint32_t R>
+struct MapRecord : Record<R, 2, 26> {
+    using Base = Record<R, 2, 26>;
+    static constexpr std::uint32_t follow_set = Base::integer(0);  // address
+    static constexpr std::uint32_t symbol = Base::integer(1);      // its number from 0
+    static constexpr std::uint32_t inverse = Base::real(0);        // W_i^-1
+    static constexpr std::uint32_t linear = Base::real(12);        // T_i
+    static constexpr std::uint32_t constant = Base::real(21);  // Lip w_i, or the cube root of |det|
+    static constexpr std::uint32_t color = Base::real(22);     // r, g, b, a
+};
+
+template <std::uint32_t R>
+struct LightRecord : Record<R, 1, 6> {
+    using Base = Record<R, 1, 6>;
+    static constexpr std::uint32_t kind = Base::integer(0);
+    static constexpr std::uint32_t place =
+        Base::real(0);  // unit direction to the light, or position
+    static constexpr std::uint32_t color = Base::real(3);
+};
+
+}  // namespace pxm::kernels

@@ -1,0 +1,61 @@
+#include "host/cli.hpp"
+
+#include <CLI/CLI.hpp>
+#include <vector>
+
+#include "host/cmd.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+const char* version_text() {
+    return "pxm " PXM_VERSION
+           "\nrequired: OpenImageIO, GLM, OpenMP, pthreads, Eigen, CLI11, fmt, nlohmann-json";
+}
+
+/// CLI11 only says that a command is missing; a misspelt one is named here.
+void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
+    const std::string word = argc > 1 ? argv[1] : "-";
+    if (word.starts_with('-')) return;
+    std::string known;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == word) return;
+        known += " " + command->get_name();
+    }
+    throw Error(ExitCode::command_line,
+                "unknown command \"" + word + "\", expected one of" + known);
+}
+
+}  // namespace
+
+ExitCode run_command_line(int argc, const char* const* argv) {
+    CLI::App app(
+        "Ray traces linear fractals, on a simulated Pixel Machine or on the cores at hand.", "pxm");
+    app.set_version_flag("--version", version_text());
+    app.require_subcommand(1);
+    app.failure_message(CLI::FailureMessage::simple);
+    const std::vector<std::pair<CLI::App*, CommandAction>> commands = [&] {
+        std::vector<std::pair<CLI::App*, CommandAction>> list;
+        for (const auto add : {add_render_command, add_compare_command}) {
+            CommandAction action = add(app);
+            list.emplace_back(app.get_subcommands({}).back(), std::move(action));
+        }
+        return list;
+    }();
+    require_known_command(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return static_cast<ExitCode>(app.exit(success));  // --help, --version
+    } catch (const CLI::ParseError& error) {
+        throw Error(ExitCode::command_line,
+                    std::string(error.what()) + "\ntry: pxm --help, or pxm COMMAND --help");
+    }
+    for (const auto& [command, action] : commands) {
+        if (command->parsed()) return action();
+    }
+    return ExitCode::command_line;
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,11 @@
+// The command line: from arguments to one command's work and an exit code.
+#pragma once
+
+#include "host/error.hpp"
+
+namespace pxm::host {
+
+/// Runs the program. Throws Error for the user's mistakes; what main prints and returns.
+[[nodiscard]] ExitCode run_command_line(int argc, const char* const* argv);
+
+}  // namespace pxm::host

@@ -1,0 +1,22 @@
+// The commands. Each adds its options to the command line and later does its work.
+#pragma once
+
+#include <functional>
+
+#include "host/error.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace pxm::host {
+
+/// What a command does once the command line was read.
+using CommandAction = std::function<ExitCode()>;
+
+/// `pxm render SCENE [-o OUT]`.
+[[nodiscard]] CommandAction add_render_command(CLI::App& app);
+/// `pxm compare A B`.
+[[nodiscard]] CommandAction add_compare_command(CLI::App& app);
+
+}  // namespace pxm::host

@@ -1,0 +1,60 @@
+// `pxm compare A B`: what two renders of the same picture disagree about.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "host/cmd.hpp"
+#include "host/option_checks.hpp"
+#include "host/output/comparison.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+struct CompareArguments {
+    std::string a;
+    std::string b;
+    double tolerance = 0;
+};
+
+void print_share(const char* what, double share) {
+    if (share < 0) {
+        fmt::print("{:<28} -            (no such channel in both files)\n", what);
+    } else {
+        fmt::print("{:<28} {:.6f} %\n", what, share * 100);
+    }
+}
+
+ExitCode compare(const CompareArguments& arguments) {
+    const Comparison c = compare_images(read_image(arguments.a), read_image(arguments.b));
+    print_share("different hits", c.hits);
+    print_share("different words", c.words);
+    print_share("depths over a pixel apart", c.depths);
+    if (c.worst_depth >= 0)
+        fmt::print("{:<28} {:.6g} pixels\n", "largest depth difference", c.worst_depth);
+    print_share("colours over 1/255 apart", c.colors);
+    fmt::print("{:<28} {:.6g}\n", "RMSE of colour", c.rmse);
+    const bool over = c.different > arguments.tolerance;
+    fmt::print("{:<28} {:.6f} % ({} the tolerance of {:.6f} %)\n", "different pixels",
+               c.different * 100, over ? "over" : "within", arguments.tolerance * 100);
+    return over ? ExitCode::over_tolerance : ExitCode::done;
+}
+
+}  // namespace
+
+CommandAction add_compare_command(CLI::App& app) {
+    const auto a = std::make_shared<CompareArguments>();
+    CLI::App* command = app.add_subcommand("compare", "Compare two EXR renders");
+    command->add_option("a", a->a, "The first render")->required();
+    command->add_option("b", a->b, "The second render")->required();
+    command
+        ->add_option(
+            "--tolerance", a->tolerance,
+            "Share of pixels that may differ (hit, depth by over a pixel, or colour by over "
+            "1/255 in equal cells); over it the exit code is 6. Default 0")
+        ->check(share());
+    return [a] { return compare(*a); };
+}
+
+}  // namespace pxm::host

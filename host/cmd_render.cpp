@@ -1,0 +1,216 @@
+// `pxm render SCENE [-o OUT]`: a picture, or with --pixel one ray's descent.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "host/cmd.hpp"
+#include "host/interrupt.hpp"
+#include "host/option_checks.hpp"
+#include "host/output/image.hpp"
+#include "host/output/progress.hpp"
+#include "host/output/safe_file.hpp"
+#include "host/output/statistics_json.hpp"
+#include "host/render/render.hpp"
+#include "host/render_options.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+/// The options as they were written; empty where they were not.
+struct RenderArguments {
+    std::string scene;
+    std::string out;
+    std::string machine;
+    bool native = false;
+    int threads = 0;  // 0: all cores
+    std::string stats;
+    std::string size, crop, numeric, covers, shading, intersect, lipschitz, volume, aov, pixel;
+    std::optional<long> levels;
+    std::optional<long> samples;
+    std::optional<long> heap;
+    std::optional<double> detail;
+    double zoom = 1;
+    bool quiet = false;
+};
+
+SceneOverrides overrides_of(const RenderArguments& a) {
+    SceneOverrides overrides;
+    if (!a.size.empty()) overrides.size = parse_size(a.size);
+    if (!a.crop.empty()) overrides.crop = parse_crop(a.crop);
+    overrides.levels = a.levels;
+    overrides.zoom = a.zoom;
+    overrides.samples = a.samples;
+    overrides.detail = a.detail;
+    overrides.heap = a.heap;
+    if (!a.numeric.empty()) overrides.numeric = parse_numeric(a.numeric);
+    if (!a.covers.empty()) overrides.covers = parse_covers(a.covers);
+    if (!a.shading.empty()) overrides.shading = parse_shading(a.shading);
+    if (!a.intersect.empty()) overrides.intersect = parse_intersect(a.intersect);
+    if (!a.lipschitz.empty()) overrides.lipschitz = parse_lipschitz(a.lipschitz);
+    if (!a.volume.empty()) overrides.volume = parse_volume(a.volume);
+    require_supported(overrides);
+    return overrides;
+}
+
+RenderRequest request_of(const RenderArguments& a) {
+    RenderRequest request;
+    request.scene_path = a.scene;
+    request.overrides = overrides_of(a);
+    if (!a.machine.empty()) request.machine = &parse_model(a.machine);
+    request.threads = a.threads > 0
+                          ? a.threads
+                          : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return request;
+}
+
+std::string default_out(const std::string& scene) {
+    return std::filesystem::path(scene).stem().string() + ".png";
+}
+
+/// Throws if one file would be written over another.
+void require_three_files(const std::string& scene, const std::string& out,
+                         const std::string& stats) {
+    const auto same = [](const std::string& a, const std::string& b) {
+        std::error_code error;
+        return std::filesystem::weakly_canonical(a, error) ==
+               std::filesystem::weakly_canonical(b, error);
+    };
+    const auto refuse = [](const std::string& path, const char* what) {
+        throw Error(ExitCode::command_line, fmt::format("{} would be written over {}", path, what));
+    };
+    if (same(out, scene)) refuse(out, "the scene");
+    if (stats.empty()) return;
+    if (same(stats, scene)) refuse(stats, "the scene");
+    if (same(stats, out)) refuse(stats, "the picture");
+}
+
+Metadata metadata_of(const Statistics& s, const RenderArguments& a, const RenderResult& result) {
+    std::string options;
+    const auto note = [&](const char* name, const std::string& value) {
+        if (!value.empty())
+            options += fmt::format("{}{} {}", options.empty() ? "" : " ", name, value);
+    };
+    const auto text = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
+    note("--size", a.size);
+    note("--crop", a.crop);
+    note("--levels", text(a.levels));
+    note("--zoom", a.zoom == 1 ? "" : fmt::format("{}", a.zoom));
+    note("--samples", text(a.samples));
+    note("--covers", a.covers);
+    note("--shading", a.shading);
+    note("--intersect", a.intersect);
+    note("--lipschitz", a.lipschitz);
+    note("--volume", a.volume);
+    note("--detail", text(a.detail));
+    note("--heap", text(a.heap));
+    return {{"version", PXM_VERSION},
+            {"scene", s.scene},
+            {"engine", s.engine},
+            {"model", s.model},
+            {"numeric", s.numeric},
+            {"options", options},
+            {"pixel_at_eye", fmt::format("{:.17g}", result.pixel_at_eye)},
+            {"pixel_growth", fmt::format("{:.17g}", result.pixel_growth)}};
+}
+
+ExitCode explain(const RenderArguments& arguments) {
+    const auto [x, y] = parse_pixel(arguments.pixel);
+    fmt::print("{}", explain_pixel(request_of(arguments), x, y));
+    return ExitCode::done;
+}
+
+ExitCode render_picture(const RenderArguments& arguments) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    const RenderRequest request = request_of(arguments);
+    const std::string out = arguments.out.empty() ? default_out(arguments.scene) : arguments.out;
+    const auto aovs = arguments.aov.empty() ? std::vector<Aov>{} : parse_aovs(arguments.aov);
+    require_image_format(out, aovs);
+    if (!request.machine && std::ranges::find(aovs, Aov::cycles) != aovs.end()) {
+        throw Error(ExitCode::command_line,
+                    "--aov cycles: cycles are counted on the machine only "
+                    "(--machine MODEL)");
+    }
+    require_three_files(arguments.scene, out, arguments.stats);
+    require_writable(out);
+    if (!arguments.stats.empty()) require_writable(arguments.stats);
+
+    RenderResult result;
+    {
+        Progress progress(arguments.quiet);
+        RunControl control;
+        control.stop = &stop_requested();
+        if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
+        result = render(request, control);
+    }
+    if (result.stopped) return signal_exit_code();
+    fmt::print(stderr, "{}", result.warnings);
+    const double before_write = seconds();
+    write_image(out, result.frame, aovs, metadata_of(result.statistics, arguments, result));
+    PhaseSeconds& phases = result.statistics.seconds;
+    phases.write = seconds() - before_write;
+    phases.total = seconds();
+    if (!arguments.stats.empty()) {
+        write_text_safely(arguments.stats, statistics_json(result.statistics));
+    }
+    if (!arguments.quiet) {
+        fmt::print(stderr, "{}: {}x{} in {:.2f} s ({:.2f} Mray/s)\n", out, result.frame.columns(),
+                   result.frame.rows(), phases.total,
+                   static_cast<double>(result.statistics.rays.eye_rays) / phases.render / 1e6);
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+CommandAction add_render_command(CLI::App& app) {
+    const auto a = std::make_shared<RenderArguments>();
+    CLI::App* command = app.add_subcommand("render", "Render a scene to a picture");
+    command->add_option("scene", a->scene, "The scene file (.pxm)")->required();
+    command->add_option("-o,--out", a->out,
+                        "The picture, by extension png, exr, tif, jpg, ...; "
+                        "default: the scene's name + .png");
+    auto* native = command->add_flag("--native", a->native, "On the cores at hand (default)");
+    command
+        ->add_option("--machine", a->machine, "On a simulated Pixel Machine: 964dX, 964, 940, ...")
+        ->excludes(native);
+    command->add_option("--threads", a->threads, "Host threads; default: all cores")
+        ->check(CLI::Range(1, 1024));
+    command->add_option("--stats", a->stats, "Write statistics to this JSON file");
+    command->add_option("--size", a->size, "WxH in pixels");
+    command->add_option("--crop", a->crop, "x0,y0,x1,y1: only this window, half open");
+    command->add_option("--levels", a->levels, "Stop after so many maps")
+        ->check(CLI::Range(0L, 1'000'000'000L));
+    command->add_option("--zoom", a->zoom, "Move the eye to look + (eye - look) / F")
+        ->check(positive_number());
+    command->add_option("--numeric", a->numeric, "dsp32, float or double");
+    command->add_option("--samples", a->samples, "Samples a pixel")->check(CLI::Range(1L, 65536L));
+    command->add_option("--covers", a->covers, "on, off, or tmin,tmax in pixels");
+    command->add_option("--shading", a->shading, "constant, low-pass, high-pass or facet");
+    command->add_option("--intersect", a->intersect, "auto, heap, fast or wide");
+    command->add_option("--lipschitz", a->lipschitz, "auto, product, determinant or polar");
+    command->add_option("--volume", a->volume, "auto, sphere, box, oriented or hull");
+    command->add_option("--detail", a->detail, "Cells are terminal at so many pixels")
+        ->check(positive_number());
+    command->add_option("--heap", a->heap, "Entries of the heap")->check(CLI::Range(1L, 65536L));
+    command->add_option("--aov", a->aov,
+                        "Extra EXR channels: Z,node,cycles,volumes,level,heap,"
+                        "alpha,object,word,N");
+    command->add_option("--pixel", a->pixel, "x,y: print this pixel's descent instead");
+    command->add_flag("--quiet", a->quiet, "No progress bar, no summary");
+    for (CLI::Option* option : command->get_options()) {
+        if (option->get_expected_min() > 0) option->check(some_text());
+    }
+    return [a] { return a->pixel.empty() ? render_picture(*a) : explain(*a); };
+}
+
+}  // namespace pxm::host

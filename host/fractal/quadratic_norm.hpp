@@ -1,0 +1,23 @@
+// Ellipsoids that the maps of a system contract, though balls they may not: the proof that the
+// spectral radius of sum T_i (x) T_i is below 1 (thesis-notes, (b); a block for each follow set).
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <optional>
+#include <vector>
+
+#include "host/fractal/rifs.hpp"
+
+namespace pxm::host {
+
+/// An ellipsoid for each follow set, frame * unit ball, such that for every set s and map m of s
+/// with follow set t: map m takes the ellipsoid of t into `rate` times the ellipsoid of s.
+struct QuadraticNorm {
+    std::vector<glm::dmat3> frame;
+    double rate = 0;
+};
+
+/// Empty if no rate below 1 was found. Precondition: every map is finite.
+[[nodiscard]] std::optional<QuadraticNorm> contracting_norm(const Rifs& rifs);
+
+}  // namespace pxm::host

@@ -1,0 +1,243 @@
+#define FMT_EXCEPTIONS 1  // OpenImageIO's headers would switch them off
+#include "host/output/image.hpp"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+
+#include "host/error.hpp"
+#include "host/output/safe_file.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+std::string extension_of(const std::string& path) {
+    const auto dot = path.rfind('.');
+    const auto slash = path.rfind('/');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return "";
+    std::string extension = path.substr(dot + 1);
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+bool holds_floats(const std::string& path) {
+    const std::string extension = extension_of(path);
+    return extension == "exr" || extension == "hdr";
+}
+
+/// The time in the file's metadata: SOURCE_DATE_EPOCH or a constant, so that equal renders are
+/// equal files.
+std::string date_time() {
+    const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+    const std::time_t seconds = epoch ? static_cast<std::time_t>(std::atoll(epoch)) : 0;
+    std::tm parts{};
+    gmtime_r(&seconds, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y:%m:%d %H:%M:%S", &parts);
+    return text;
+}
+
+std::vector<std::string> channel_names(const std::vector<Aov>& aovs) {
+    std::vector<std::string> names{"R", "G", "B"};
+    for (const Aov aov : aovs) {
+        if (aov == Aov::normal) {
+            names.insert(names.end(), {"N.x", "N.y", "N.z"});
+        } else {
+            names.emplace_back(aov_name(aov));
+        }
+    }
+    return names;
+}
+
+void append(std::vector<float>& values, const PixelRecord& pixel, Aov aov) {
+    switch (aov) {
+        case Aov::z:
+            values.push_back(pixel.z);
+            return;
+        case Aov::node:
+            values.push_back(static_cast<float>(pixel.node));
+            return;
+        case Aov::cycles:
+            values.push_back(static_cast<float>(pixel.cycles));
+            return;
+        case Aov::volumes:
+            values.push_back(static_cast<float>(pixel.volumes));
+            return;
+        case Aov::level:
+            values.push_back(static_cast<float>(pixel.level));
+            return;
+        case Aov::heap:
+            values.push_back(static_cast<float>(pixel.heap));
+            return;
+        case Aov::alpha:
+            values.push_back(pixel.alpha);
+            return;
+        case Aov::object:
+            values.push_back(static_cast<float>(pixel.object));
+            return;
+        case Aov::word:
+            values.push_back(static_cast<float>(pixel.word));
+            return;
+        case Aov::normal:
+            values.insert(values.end(), pixel.normal, pixel.normal + 3);
+            return;
+    }
+}
+
+[[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
+    throw Error(ExitCode::file, "cannot write " + path + ": " + why);
+}
+
+/// Writes to `beside`; messages name `path`.
+void write_pixels(const std::string& path, const std::string& beside, const OIIO::ImageSpec& spec,
+                  OIIO::TypeDesc type, const void* pixels) {
+    OIIO::attribute("threads", 1);
+    const auto output = OIIO::ImageOutput::create(beside);
+    if (!output) cannot_write(path, OIIO::geterror());
+    if (!output->open(beside, spec) || !output->write_image(type, pixels) || !output->close()) {
+        cannot_write(path, output->geterror());
+    }
+}
+
+/// Whether OpenImageIO has a writer of colour pictures for this extension. Its `null` and `term`
+/// write no file, and a zfile holds depths.
+bool is_picture_format(const std::string& path) {
+    const auto output = OIIO::ImageOutput::create(path);
+    if (!output) return (void)OIIO::geterror(), false;
+    const std::string format = output->format_name();
+    return format != "null" && format != "term" && format != "zfile";
+}
+
+}  // namespace
+
+const char* aov_name(Aov aov) {
+    switch (aov) {
+        case Aov::z:
+            return "Z";
+        case Aov::node:
+            return "node";
+        case Aov::cycles:
+            return "cycles";
+        case Aov::volumes:
+            return "volumes";
+        case Aov::level:
+            return "level";
+        case Aov::heap:
+            return "heap";
+        case Aov::alpha:
+            return "alpha";
+        case Aov::object:
+            return "object";
+        case Aov::word:
+            return "word";
+        case Aov::normal:
+            return "N";
+    }
+    return "";
+}
+
+const std::vector<Aov>& all_aovs() {
+    using enum Aov;
+    static const std::vector<Aov> all{z,    node,  cycles, volumes, level,
+                                      heap, alpha, object, word,    normal};
+    return all;
+}
+
+float srgb_from_linear(float linear) {
+    const float x = std::clamp(linear, 0.0F, 1.0F);
+    return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
+}
+
+void require_image_format(const std::string& path, const std::vector<Aov>& aovs) {
+    const std::string extension = extension_of(path);
+    if (extension.empty() || !is_picture_format(path)) {
+        throw Error(ExitCode::command_line, "cannot write " + path +
+                                                ": unknown image extension \"" + extension +
+                                                "\" (png, exr, tif, jpg, ...)");
+    }
+    if (!aovs.empty() && extension != "exr") {
+        throw Error(ExitCode::command_line, "--aov needs an .exr output, not " + path);
+    }
+}
+
+void write_image(const std::string& path, const Frame& frame, const std::vector<Aov>& aovs,
+                 const Metadata& metadata) {
+    const auto names = channel_names(aovs);
+    const bool floats = holds_floats(path);
+    OIIO::ImageSpec spec(static_cast<int>(frame.columns()), static_cast<int>(frame.rows()),
+                         static_cast<int>(names.size()),
+                         floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+    spec.channelnames = names;
+    spec.attribute("DateTime", date_time());
+    spec.attribute("Software", "pxm " PXM_VERSION);
+    spec.attribute("oiio:ColorSpace", floats ? "Linear" : "sRGB");
+    if (extension_of(path) == "exr") spec.attribute("compression", "zip");
+    if (extension_of(path) == "exr") {
+        for (const auto& [name, value] : metadata) spec.attribute("pxm:" + name, value);
+    }
+
+    std::vector<float> values;
+    std::vector<unsigned char> bytes;
+    for (const PixelRecord& pixel : frame.pixels) {
+        if (floats) {
+            values.insert(values.end(), pixel.color, pixel.color + 3);
+            for (const Aov aov : aovs) append(values, pixel, aov);
+        } else {
+            for (const float c : pixel.color) {
+                bytes.push_back(
+                    static_cast<unsigned char>(std::lround(srgb_from_linear(c) * 255.0F)));
+            }
+        }
+    }
+    write_safely(path, [&](const std::string& beside) {
+        if (floats) {
+            write_pixels(path, beside, spec, OIIO::TypeDesc::FLOAT, values.data());
+        } else {
+            write_pixels(path, beside, spec, OIIO::TypeDesc::UINT8, bytes.data());
+        }
+    });
+}
+
+int LoadedImage::channel(const std::string& name) const {
+    const auto found = std::ranges::find(channels, name);
+    return found == channels.end() ? -1 : static_cast<int>(found - channels.begin());
+}
+
+const std::string* LoadedImage::find(const std::string& name) const {
+    const auto found =
+        std::ranges::find(metadata, name, &std::pair<std::string, std::string>::first);
+    return found == metadata.end() ? nullptr : &found->second;
+}
+
+LoadedImage read_image(const std::string& path) {
+    OIIO::attribute("threads", 1);
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) {
+        // OpenImageIO's second sentence would ask the user a question.
+        const std::string why = OIIO::geterror();
+        throw Error(ExitCode::file, "cannot read " + path + ": " + why.substr(0, why.find(". ")));
+    }
+    const OIIO::ImageSpec& spec = input->spec();
+    LoadedImage image;
+    image.width = spec.width;
+    image.height = spec.height;
+    image.channels = spec.channelnames;
+    image.values.resize(static_cast<std::size_t>(spec.width) *
+                        static_cast<std::size_t>(spec.height) * image.channels.size());
+    if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, image.values.data())) {
+        throw Error(ExitCode::file, "cannot read " + path + ": " + input->geterror());
+    }
+    for (const auto& attribute : spec.extra_attribs) {
+        const std::string name = attribute.name().string();
+        if (name.starts_with("pxm:"))
+            image.metadata.emplace_back(name.substr(4), attribute.get_string());
+    }
+    return image;
+}
+
+}  // namespace pxm::host

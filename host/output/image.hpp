@@ -1,0 +1,54 @@
+// Pictures as files, through OpenImageIO. The only place that knows that library.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/render/frame.hpp"
+
+namespace pxm::host {
+
+/// Channels that --aov can add to an EXR.
+enum class Aov { z, node, cycles, volumes, level, heap, alpha, object, word, normal };
+
+/// The name on the command line and in the file; N has three channels N.x, N.y, N.z.
+[[nodiscard]] const char* aov_name(Aov aov);
+/// All of them, in the order of the documentation.
+[[nodiscard]] const std::vector<Aov>& all_aovs();
+
+/// Metadata as text: name, value.
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+/// Throws Error(ExitCode::command_line) unless OpenImageIO can write this kind of file and it can
+/// hold the channels asked for (only EXR has room for any).
+void require_image_format(const std::string& path, const std::vector<Aov>& aovs);
+
+/// Writes the crop window's pixels, whole or not at all. EXR and HDR hold linear floats; other
+/// formats hold 8 bits with the sRGB curve. Throws Error(ExitCode::file).
+void write_image(const std::string& path, const Frame& frame, const std::vector<Aov>& aovs,
+                 const Metadata& metadata);
+
+/// A picture read back: interleaved floats and the names of its channels.
+struct LoadedImage {
+    int width = 0;
+    int height = 0;
+    std::vector<std::string> channels;
+    std::vector<float> values;
+    Metadata metadata;
+
+    /// The index of a channel, or -1.
+    [[nodiscard]] int channel(const std::string& name) const;
+    [[nodiscard]] float at(std::size_t pixel, int channel) const {
+        return values[pixel * channels.size() + static_cast<std::size_t>(channel)];
+    }
+    [[nodiscard]] const std::string* find(const std::string& name) const;
+};
+
+/// Throws Error(ExitCode::file).
+[[nodiscard]] LoadedImage read_image(const std::string& path);
+
+/// The sRGB curve of a linear value, 0..1.
+[[nodiscard]] float srgb_from_linear(float linear);
+
+}  // namespace pxm::host

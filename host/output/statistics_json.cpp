@@ -1,0 +1,93 @@
+#include "host/output/statistics_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "pxm/model.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json node_json(const NodeStatistics& node) {
+    return {{"id", node.id},
+            {"column", node.column},
+            {"row", node.row},
+            {"pixels", node.rays.eye_rays},
+            {"rays", node.rays.eye_rays},
+            {"volumes_tested", node.rays.volumes_tested},
+            {"heap_pushes", node.rays.heap_pushes},
+            {"heap_peak", node.rays.heap_peak},
+            {"heap_overflows", node.rays.heap_overflows},
+            {"capped_rays", node.rays.capped_rays},
+            {"cycles", node.cycles},
+            {"seconds", static_cast<double>(node.cycles) * instruction_seconds}};
+}
+
+/// `bytes` is null: no module has been measured.
+Json modules_json(const std::vector<ProgramModule>& modules) {
+    Json list = Json::array();
+    for (const ProgramModule& module : modules) {
+        list.push_back({{"name", module.name}, {"bytes", nullptr}, {"because", module.because}});
+    }
+    return list;
+}
+
+Json memory_json(const MemoryUse& use) {
+    return {{"limit_bytes", use.limit_bytes}, {"used_bytes", use.used_bytes}};
+}
+
+Json balance_json(const std::vector<NodeStatistics>& nodes) {
+    std::uint64_t largest = 0;
+    double sum = 0;
+    for (const NodeStatistics& node : nodes) {
+        largest = std::max(largest, node.cycles);
+        sum += static_cast<double>(node.cycles);
+    }
+    const double mean = nodes.empty() ? 0 : sum / static_cast<double>(nodes.size());
+    return {{"mean_cycles", mean},
+            {"max_cycles", largest},
+            {"efficiency", largest == 0 ? 1.0 : mean / static_cast<double>(largest)},
+            {"predicted_seconds", static_cast<double>(largest) * instruction_seconds}};
+}
+
+}  // namespace
+
+std::string statistics_json(const Statistics& s) {
+    Json json = {{"pxm", PXM_VERSION}, {"scene", s.scene}, {"engine", s.engine}};
+    json["model"] = s.machine ? Json(s.model) : Json(nullptr);
+    json["numeric"] = s.numeric;
+    json["size"] = {s.size.columns, s.size.rows};
+    json["threads"] = s.threads;
+    json["seconds"] = {{"parse", s.seconds.parse}, {"compile", s.seconds.compile},
+                       {"load", s.seconds.load},   {"render", s.seconds.render},
+                       {"write", s.seconds.write}, {"total", s.seconds.total}};
+    json["rays"] = {{"eye", s.rays.eye_rays}, {"light", 0}, {"reflect", 0}};
+    json["hits"] = s.rays.hits;
+    json["volumes_tested"] = s.rays.volumes_tested;
+    json["heap_overflows"] = s.rays.heap_overflows;
+    json["heap_restarts"] = s.rays.restarts;
+    json["capped_rays"] = s.rays.capped_rays;
+    json["scene_block"] = {{"words", s.scene_block_words},
+                           {"hash", fmt::format("{:016x}", s.scene_block_hash)}};
+    if (!s.machine) return json.dump(2) + "\n";
+
+    json["program"] = {{"limit_bytes", fast_memory_bytes},
+                       {"used_bytes", nullptr},
+                       {"modules", modules_json(s.program.modules)},
+                       {"left_out", modules_json(s.program.left_out)}};
+    json["memory"] = {{"front_buffer", memory_json(s.machine->front_buffer)},
+                      {"back_buffer", memory_json(s.machine->back_buffer)},
+                      {"zbuffer", memory_json(s.machine->zbuffer)},
+                      {"texture", memory_json(s.machine->texture)}};
+    json["nodes"] = Json::array();
+    for (const NodeStatistics& node : s.machine->nodes) json["nodes"].push_back(node_json(node));
+    json["balance"] = balance_json(s.machine->nodes);
+    return json.dump(2) + "\n";
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,12 @@
+// --stats FILE.json: the statistics of a render as JSON, with the keys of docs/command-line.md.
+#pragma once
+
+#include <string>
+
+#include "host/render/statistics.hpp"
+
+namespace pxm::host {
+
+[[nodiscard]] std::string statistics_json(const Statistics& statistics);
+
+}  // namespace pxm::host

@@ -1,0 +1,385 @@
+#include "host/render/compile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <optional>
+
+#include "host/fractal/bounds.hpp"
+#include "host/fractal/contraction.hpp"
+#include "host/fractal/lipschitz.hpp"
+#include "host/fractal/rifs.hpp"
+#include "host/render/view.hpp"
+#include "host/render/volumes.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr double first_lift = 1e-4;  // thickness of lifted maps before the size of a pixel is known
+constexpr double least_lift = 1e-6;  // thinner would cost a float its digits
+constexpr double most_lift = 1e-2;   // coarser pixels do not make flat images thicker
+constexpr glm::dvec3 base_color{0.9, 0.9, 0.9};
+
+/// An ifs block with what mathematics knows of it.
+struct Fractal {
+    Rifs exact;  // as written
+    Rifs rifs;   // singular maps lifted
+    bool lifted = false;
+    Contraction contraction;
+    std::vector<Bounds> bounds;  // empty until an object needs them
+};
+
+bool finite(const Affine& map) {
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            if (!std::isfinite(map.linear[i][j])) return false;
+        }
+        if (!std::isfinite(map.translation[i])) return false;
+    }
+    return true;
+}
+
+void lift_singular_maps(Fractal& fractal, double thickness) {
+    for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
+        if (classify(fractal.exact.maps[i]) != MapKind::singular) continue;
+        fractal.rifs.maps[i] = lift(fractal.exact.maps[i], thickness);
+        fractal.lifted = true;
+    }
+}
+
+/// The smallest extent, along the axes that singular maps squash, of what may stand inside them; at
+/// most the diameter of the largest ball.
+double squashed_extent(const Fractal& fractal) {
+    double smallest = INFINITY;
+    for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
+        if (classify(fractal.exact.maps[i]) != MapKind::singular) continue;
+        const SingularValues values = singular_values(fractal.exact.maps[i].linear);
+        const Bounds& inside = fractal.bounds[static_cast<std::size_t>(fractal.rifs.follow_of[i])];
+        const glm::dvec3 size = inside.box.high - inside.box.low;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (values.values[axis] > 1e-12 * values.values[0]) continue;
+            const double extent = glm::dot(glm::abs(values.input[axis]), size);
+            if (extent > 1e-6 * inside.ball.radius) smallest = std::min(smallest, extent);
+        }
+    }
+    return smallest;
+}
+
+/// Nothing if the block has an error.
+std::optional<Fractal> make_fractal(const IfsBlock& block, Diagnostics& diagnostics) {
+    Fractal fractal;
+    Diagnostics own;
+    fractal.exact = build_rifs(block, own);
+    const bool broken = own.has_errors();
+    diagnostics.append(own);
+    if (broken) return std::nullopt;
+    for (std::size_t i = 0; i < block.maps.size(); ++i) {
+        if (finite(fractal.exact.maps[i])) continue;
+        diagnostics.error(block.maps[i].position,
+                          fmt::format("map \"{}\" of ifs \"{}\" is not finite",
+                                      fractal.exact.map_names[i], block.name));
+        return std::nullopt;
+    }
+    fractal.contraction = prove_contraction(fractal.exact);
+    if (fractal.contraction.proof == ContractionProof::none) {
+        diagnostics.error(block.position,
+                          fmt::format("ifs \"{}\" could not be shown to contract: {}", block.name,
+                                      fractal.contraction.obstacle));
+        return std::nullopt;
+    }
+    fractal.rifs = fractal.exact;
+    lift_singular_maps(fractal, first_lift);
+    return fractal;
+}
+
+/// One object per ifs block where the scene has no object block.
+std::vector<ObjectBlock> objects_of(const Scene& scene) {
+    if (!scene.objects.empty()) return scene.objects;
+    std::vector<ObjectBlock> objects;
+    for (const IfsBlock& ifs : scene.ifs) {
+        ObjectBlock object;
+        object.name = ifs.name;
+        object.ifs = ifs.name;
+        object.ifs_position = object.position = ifs.position;
+        objects.push_back(object);
+    }
+    return objects;
+}
+
+/// An object on its way: its block, its fractal, its place in the world.
+struct Placed {
+    const ObjectBlock* block;
+    Fractal* fractal;
+    Affine instance;  // ifs coordinates to world
+
+    [[nodiscard]] const Bounds& outermost() const {
+        return fractal->bounds[static_cast<std::size_t>(fractal->rifs.start)];
+    }
+    [[nodiscard]] Ball world_ball() const {
+        const Ball& ball = outermost().ball;
+        return {instance.point(ball.center), lipschitz_constant(instance) * ball.radius};
+    }
+};
+
+Ball ball_around(const std::vector<Placed>& objects) {
+    if (objects.empty()) return {{0, 0, 0}, 1};
+    if (objects.size() == 1) return objects.front().world_ball();
+    glm::dvec3 low{INFINITY};
+    glm::dvec3 high{-INFINITY};
+    for (const Placed& object : objects) {
+        const Ball ball = object.world_ball();
+        low = glm::min(low, ball.center - ball.radius);
+        high = glm::max(high, ball.center + ball.radius);
+    }
+    Ball all{(low + high) / 2.0, 0};
+    for (const Placed& object : objects) {
+        const Ball ball = object.world_ball();
+        all.radius = std::max(all.radius, glm::distance(all.center, ball.center) + ball.radius);
+    }
+    return all;
+}
+
+double power_of_two_near(double x) {
+    return x > 0 && std::isfinite(x) ? std::exp2(std::round(std::log2(x))) : 1.0;
+}
+
+kernels::Lipschitz choose_lipschitz(LipschitzMethod method, const Rifs& rifs) {
+    switch (method) {
+        case LipschitzMethod::product:
+            return kernels::Lipschitz::product;
+        case LipschitzMethod::determinant:
+            return kernels::Lipschitz::determinant;
+        case LipschitzMethod::polar:
+            return kernels::Lipschitz::polar;
+        case LipschitzMethod::automatic:
+            break;
+    }
+    const bool similar = std::ranges::all_of(rifs.maps, [](const Affine& map) {
+        const MapKind kind = classify(map);
+        return kind == MapKind::homothety || kind == MapKind::similitude;
+    });
+    return similar ? kernels::Lipschitz::product : kernels::Lipschitz::polar;
+}
+
+double constant_by(kernels::Lipschitz method, const Affine& map) {
+    return method == kernels::Lipschitz::determinant ? determinant_constant(map)
+                                                     : lipschitz_constant(map);
+}
+
+/// The similarity from a shape's own coordinates (its ball about the unit ball) to those of its
+/// ifs.
+struct Frame {
+    glm::dvec3 center{0.0};
+    double scale = 1;
+
+    [[nodiscard]] glm::dvec3 to_shape(const glm::dvec3& x) const { return (x - center) / scale; }
+};
+
+CompiledVolume to_shape(const CompiledVolume& volume, const Frame& frame) {
+    CompiledVolume result = volume;
+    result.center = frame.to_shape(volume.center);
+    result.low = frame.to_shape(volume.low);
+    result.high = frame.to_shape(volume.high);
+    result.radius = volume.radius / frame.scale;
+    result.diameter = volume.diameter / frame.scale;
+    return result;
+}
+
+CompiledShape make_shape(const IfsBlock& block, const Fractal& fractal, const Frame& frame,
+                         const std::vector<CompiledVolume>& volumes, kernels::Lipschitz method) {
+    const Rifs& rifs = fractal.rifs;
+    CompiledShape shape;
+    shape.ifs = block.name;
+    shape.map_names = rifs.map_names;
+    shape.start = rifs.start;
+    shape.lifted = fractal.lifted;
+    shape.lipschitz = method;
+    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
+        shape.sets.push_back({to_shape(volumes[s], frame), rifs.follow_sets[s].maps});
+    }
+    for (std::size_t i = 0; i < rifs.maps.size(); ++i) {
+        const Affine& map = rifs.maps[i];
+        shape.maps.push_back({{map.linear, (map.point(frame.center) - frame.center) / frame.scale},
+                              constant_by(method, map),
+                              block.maps[i].color.value_or(glm::dvec4{0.0}),
+                              rifs.follow_of[i]});
+    }
+    return shape;
+}
+
+std::vector<CompiledLight> compile_lights(const Scene& scene, const glm::dvec3& eye, double unit) {
+    std::vector<LightBlock> lights = scene.lights;
+    if (lights.empty()) {
+        lights.emplace_back();
+        lights.back().direction = glm::dvec3{0.5, 1, -0.7};
+    }
+    std::vector<CompiledLight> compiled;
+    for (const LightBlock& light : lights) {
+        CompiledLight result;
+        result.color = light.color.value_or(glm::dvec3{1.0});
+        if (light.location) {
+            result.kind = kernels::LightKind::point;
+            result.place = (*light.location - eye) / unit;
+        } else {
+            result.place = glm::normalize(*light.direction);
+        }
+        compiled.push_back(result);
+    }
+    return compiled;
+}
+
+kernels::ShadingMode shading_mode(Shading shading) {
+    switch (shading) {
+        case Shading::constant:
+            return kernels::ShadingMode::constant;
+        case Shading::low_pass:
+            return kernels::ShadingMode::low_pass;
+        case Shading::high_pass:
+            return kernels::ShadingMode::high_pass;
+        case Shading::facet:
+            return kernels::ShadingMode::facet;
+    }
+    return kernels::ShadingMode::constant;
+}
+
+/// Does the work of compile() once every ifs block is known to be right.
+class Compiler {
+  public:
+    Compiler(const Scene& scene, double zoom, Diagnostics& diagnostics)
+        : scene_(scene),
+          render_(scene.render.value_or(RenderBlock{})),
+          zoom_(zoom),
+          diagnostics_(diagnostics) {}
+
+    CompiledScene run() {
+        make_fractals();
+        if (diagnostics_.has_errors()) return {};
+        const std::vector<ObjectBlock> blocks = objects_of(scene_);
+        std::vector<Placed> objects = place(blocks);
+        set_view(ball_around(objects));
+        lift_to_pixels(objects);
+        for (const Placed& object : objects) add_object(object);
+        out_.lights = compile_lights(scene_, view_.eye, out_.unit);
+        out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
+        out_.detail = render_.detail.value_or(out_.detail);
+        out_.heap = render_.heap.value_or(out_.heap);
+        out_.ambient = render_.ambient.value_or(out_.ambient);
+        out_.background = render_.background.value_or(out_.background);
+        return std::move(out_);
+    }
+
+  private:
+    void make_fractals() {
+        for (const IfsBlock& block : scene_.ifs) {
+            if (auto fractal = make_fractal(block, diagnostics_)) {
+                fractals_.emplace(block.name, std::move(*fractal));
+            }
+        }
+    }
+
+    std::vector<Placed> place(const std::vector<ObjectBlock>& blocks) {
+        std::vector<Placed> objects;
+        for (const ObjectBlock& block : blocks) {
+            Fractal& fractal = fractals_.at(*block.ifs);
+            if (fractal.bounds.empty()) fractal.bounds = bound(fractal.rifs, fractal.contraction);
+            objects.push_back({&block, &fractal, compose(block.commands)});
+        }
+        return objects;
+    }
+
+    void set_view(const Ball& ball) {
+        const ImageBlock image = scene_.image.value_or(ImageBlock{});
+        out_.size = image.size.value_or(PixelSize{});
+        out_.crop = image.crop.value_or(CropWindow{0, 0, out_.size.columns, out_.size.rows});
+        view_ = make_view(scene_.camera.value_or(CameraBlock{}), out_.size, ball, zoom_);
+        out_.unit = power_of_two_near(ball.radius);
+        out_.camera = compile_view(view_, out_.size, out_.unit);
+    }
+
+    /// Gives flat images the thickness of a pixel, as seen at the nearest object of the ifs: a ray
+    /// a pixel does not miss them edge on.
+    void lift_to_pixels(const std::vector<Placed>& objects) {
+        std::map<Fractal*, double> thickness;
+        for (const Placed& object : objects) {
+            if (!object.fractal->lifted) continue;
+            const double distance = glm::distance(view_.eye, object.world_ball().center);
+            const double p = pixel_size(view_, out_.size, distance);
+            const double extent =
+                lipschitz_constant(object.instance) * squashed_extent(*object.fractal);
+            const double share = extent > 0 && std::isfinite(extent) ? p / extent : first_lift;
+            const auto [found, added] = thickness.emplace(object.fractal, share);
+            if (!added) found->second = std::min(found->second, share);
+        }
+        for (const auto& [fractal, share] : thickness) {
+            lift_singular_maps(*fractal, std::clamp(share, least_lift, most_lift));
+            fractal->bounds = bound(fractal->rifs, fractal->contraction);
+        }
+    }
+
+    void add_object(const Placed& object) {
+        const Fractal& fractal = *object.fractal;
+        const Ball& ball = object.outermost().ball;
+        const Frame frame{ball.center, power_of_two_near(ball.radius)};
+        const auto volumes =
+            choose_volumes(*object.block, render_.volume.value_or(VolumeKind::automatic),
+                           fractal.rifs, fractal.bounds, diagnostics_);
+        const auto method =
+            choose_lipschitz(render_.lipschitz.value_or(LipschitzMethod::automatic), fractal.exact);
+        CompiledObject result;
+        result.name = object.block->name;
+        result.shape = shape_for(*object.block->ifs, fractal, frame, volumes, method);
+        result.instance.linear = object.instance.linear * (frame.scale / out_.unit);
+        result.instance.translation = (object.instance.point(frame.center) - view_.eye) / out_.unit;
+        result.constant = constant_by(method, result.instance);
+        const CompiledShape& shape = out_.shapes[static_cast<std::size_t>(result.shape)];
+        result.diameter = lipschitz_constant(result.instance) *
+                          shape.sets[static_cast<std::size_t>(shape.start)].volume.diameter;
+        const glm::dvec4 paint = object.block->color.value_or(glm::dvec4{0.0});
+        result.color = base_color * (1 - paint.a) + glm::dvec3{paint} * paint.a;
+        result.diffuse = object.block->diffuse.value_or(0.8);
+        if (object.block->levels) {
+            result.levels = static_cast<std::uint32_t>(
+                std::min<long>(*object.block->levels, kernels::unlimited_levels - 1));
+        }
+        out_.objects.push_back(result);
+    }
+
+    /// The shape of an ifs with those volumes: the one made before if there is one.
+    int shape_for(const std::string& ifs, const Fractal& fractal, const Frame& frame,
+                  const std::vector<CompiledVolume>& volumes, kernels::Lipschitz method) {
+        std::string key = ifs;
+        for (const CompiledVolume& v : volumes) {
+            key += fmt::format("/{} {} {} {} {} {} {} {} {}", static_cast<int>(v.kind), v.center.x,
+                               v.center.y, v.center.z, v.radius, v.diameter, v.low.x, v.low.y,
+                               v.low.z);
+        }
+        const auto [found, added] = shape_of_.emplace(key, static_cast<int>(out_.shapes.size()));
+        if (added) {
+            const auto block = std::ranges::find(scene_.ifs, ifs, &IfsBlock::name);
+            out_.shapes.push_back(make_shape(*block, fractal, frame, volumes, method));
+        }
+        return found->second;
+    }
+
+    const Scene& scene_;
+    RenderBlock render_;
+    double zoom_;
+    Diagnostics& diagnostics_;
+    std::map<std::string, Fractal> fractals_;
+    std::map<std::string, int> shape_of_;
+    View view_;
+    CompiledScene out_;
+};
+
+}  // namespace
+
+CompiledScene compile(const Scene& scene, double zoom, Diagnostics& diagnostics) {
+    return Compiler(scene, zoom, diagnostics).run();
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,16 @@
+// Scene to compiled scene: defaults, graphs, contraction, lifting, bounds, volumes, camera (in
+// double).
+#pragma once
+
+#include "host/render/compiled_scene.hpp"
+#include "host/scene/diagnostics.hpp"
+#include "host/scene/scene.hpp"
+
+namespace pxm::host {
+
+/// Compiles a scene that check_scene found right. `zoom` moves the eye to look + (eye - look) /
+/// zoom. Systems that do not contract and graphs that end are errors in `diagnostics`; volumes that
+/// were replaced are warnings. The result is usable only if no error was added.
+[[nodiscard]] CompiledScene compile(const Scene& scene, double zoom, Diagnostics& diagnostics);
+
+}  // namespace pxm::host

@@ -1,0 +1,48 @@
+// The gathered picture: per pixel the colour and what is known of how it came about.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "host/scene/scene.hpp"
+
+namespace pxm::host {
+
+/// One pixel. Colours are linear. On a miss: z infinite, object and level -1, word 0, alpha 0.
+struct PixelRecord {
+    float color[3] = {0, 0, 0};
+    float alpha = 0;
+    float z = std::numeric_limits<float>::infinity();  // distance along the ray, world units
+    float normal[3] = {0, 0, 0};                       // the total normal
+    std::int32_t object = -1;
+    std::int32_t level = -1;
+    std::uint32_t word = 0;     // 24-bit hash of the terminal cell's word, never 0 on a hit
+    std::uint32_t node = 0;     // row * columns + column of the node that owns the pixel
+    std::uint32_t volumes = 0;  // volumes tested
+    std::uint32_t heap = 0;     // most cells in the heap
+    std::uint64_t cycles = 0;   // instruction cycles of 200 ns; machine only
+};
+
+/// The pixels of a crop window, row by row.
+struct Frame {
+    PixelSize size;
+    CropWindow crop;
+    std::vector<PixelRecord> pixels;
+
+    Frame() = default;
+    Frame(const PixelSize& image, const CropWindow& window)
+        : size(image), crop(window), pixels(static_cast<std::size_t>(columns() * rows())) {}
+
+    [[nodiscard]] long columns() const { return crop.x1 - crop.x0; }
+    [[nodiscard]] long rows() const { return crop.y1 - crop.y0; }
+    /// The pixel at image coordinates inside the crop window.
+    [[nodiscard]] PixelRecord& at(long x, long y) {
+        return pixels[static_cast<std::size_t>((y - crop.y0) * columns() + x - crop.x0)];
+    }
+    [[nodiscard]] const PixelRecord& at(long x, long y) const {
+        return const_cast<Frame*>(this)->at(x, y);
+    }
+};
+
+}  // namespace pxm::host

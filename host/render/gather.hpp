@@ -1,0 +1,59 @@
+// From what a node knows of a finished pixel to the frame and the counts of the host. These are the
+// emulator's side channels: they use no node memory.
+#pragma once
+
+#include "dsp_kernels/pixel_program.hpp"
+#include "host/render/compiled_scene.hpp"
+#include "host/render/frame.hpp"
+#include "host/render/scene_block.hpp"
+#include "host/render/statistics.hpp"
+
+namespace pxm::host {
+
+/// A 24-bit hash of a cell's word (FNV-1a over its symbols), never 0: exact in a float channel.
+template <class Real>
+[[nodiscard]] std::uint32_t word_hash(const kernels::Cell<Real>& cell) {
+    std::uint32_t hash = 0x811C'9DC5;
+    for (std::uint32_t i = 0; i < cell.level; ++i) {
+        std::uint32_t symbol = cell.word.get(i, cell.bits) + 1;
+        for (; symbol != 0; symbol >>= 8) hash = (hash ^ (symbol & 0xFF)) * 0x0100'0193;
+        hash = (hash ^ 0xFF) * 0x0100'0193;
+    }
+    const std::uint32_t folded = (hash >> 24 ^ hash) & 0x00FF'FFFF;
+    return folded == 0 ? 1 : folded;
+}
+
+/// Writes a finished pixel into the frame and adds its counts.
+template <class Real>
+void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& block,
+                  const kernels::PixelResult<Real>& result, PixelRecord& pixel,
+                  RayStatistics& rays) {
+    const auto number = [](Real x) { return static_cast<float>(to_double(x)); };
+    pixel.color[0] = number(result.color.x);
+    pixel.color[1] = number(result.color.y);
+    pixel.color[2] = number(result.color.z);
+    pixel.volumes = static_cast<std::uint32_t>(result.counts.volumes_tested);
+    pixel.heap = static_cast<std::uint32_t>(result.counts.heap_peak);
+    const bool hit = result.found.outcome != kernels::Outcome::miss;
+    if (hit) {
+        const kernels::Cell<Real>& cell = result.found.cell;
+        pixel.alpha = 1;
+        pixel.z = static_cast<float>(to_double(cell.key) * scene.unit);
+        pixel.normal[0] = number(result.normal.x);
+        pixel.normal[1] = number(result.normal.y);
+        pixel.normal[2] = number(result.normal.z);
+        pixel.object = static_cast<std::int32_t>(object_index<Real>(block, cell.object));
+        pixel.level = cell.level;
+        pixel.word = word_hash(cell);
+    }
+    ++rays.eye_rays;
+    rays.hits += hit ? 1 : 0;
+    rays.volumes_tested += result.counts.volumes_tested;
+    rays.heap_pushes += result.counts.heap_pushes;
+    rays.heap_peak = std::max(rays.heap_peak, result.counts.heap_peak);
+    rays.heap_overflows += result.counts.heap_overflows;
+    rays.restarts += result.counts.restarts;
+    rays.capped_rays += result.found.outcome == kernels::Outcome::capped ? 1 : 0;
+}
+
+}  // namespace pxm::host

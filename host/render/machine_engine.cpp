@@ -1,0 +1,139 @@
+// The machine engine: load and broadcast, run the node program on every node, gather.
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "host/error.hpp"
+#include "host/render/engine.hpp"
+#include "host/render/gather.hpp"
+#include "pxm/cost.hpp"
+#include "pxm/machine.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void refuse(const std::optional<Fault>& fault, const Model& model) {
+    if (!fault) return;
+    throw Error(
+        ExitCode::machine_limit,
+        fmt::format("the {} of node {} of the {} is too small: {} bytes wanted, {} there",
+                    fault->bank, fault->node, model.name, fault->wanted_bytes, fault->limit_bytes));
+}
+
+/// The first coordinate at or after `from` that is congruent to `place` modulo `stride`.
+std::uint32_t first_owned(long from, int place, int stride) {
+    const long behind = (from - place) % stride;
+    return static_cast<std::uint32_t>(behind > 0   ? from + stride - behind
+                                      : behind < 0 ? from - behind
+                                                   : from);
+}
+
+kernels::PixelShare node_share(const CropWindow& window, const Model& model, NodeId id) {
+    return {first_owned(window.x0, id.column, model.columns),
+            first_owned(window.y0, id.row, model.rows),
+            static_cast<std::uint32_t>(window.x1),
+            static_cast<std::uint32_t>(window.y1),
+            static_cast<std::uint32_t>(model.columns),
+            static_cast<std::uint32_t>(model.rows)};
+}
+
+/// The display word: 8 bits each of red, green, blue, alpha, from linear values.
+std::uint32_t pack_pixel(const PixelRecord& pixel) {
+    const auto byte = [](float v) {
+        return static_cast<std::uint32_t>(std::clamp(v, 0.0F, 1.0F) * 255.0F + 0.5F);
+    };
+    return byte(pixel.color[0]) << 24 | byte(pixel.color[1]) << 16 | byte(pixel.color[2]) << 8 |
+           byte(pixel.alpha);
+}
+
+template <class Real>
+MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistics>& rays) {
+    MachineStatistics statistics;
+    const auto use = [](MemoryUse& memory, const Bank& bank) {
+        memory.limit_bytes = bank.limit_bytes();
+        memory.used_bytes = std::max(memory.used_bytes, bank.used_bytes());
+    };
+    for (Node<Real>& node : machine.nodes()) {
+        NodeStatistics one;
+        one.id = node.index();
+        one.column = node.id().column;
+        one.row = node.id().row;
+        one.rays = rays[static_cast<std::size_t>(node.index())];
+        one.cycles = cycles(node.tally(), default_cost_table());
+        statistics.nodes.push_back(one);
+        use(statistics.front_buffer, node.front_buffer());
+        use(statistics.back_buffer, node.back_buffer());
+        use(statistics.zbuffer, node.zbuffer());
+        use(statistics.texture, node.texture());
+    }
+    return statistics;
+}
+
+template <class Real>
+EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
+                 const RunControl& control) {
+    const auto start = std::chrono::steady_clock::now();
+    const Model& model = *choice.machine;
+    EngineResult result;
+    const std::vector<std::uint32_t> block = make_scene_block<Real>(scene);
+    result.scene_block_words = block.size();
+    result.scene_block_hash = block_hash(block);
+    Machine<Real> machine(model);
+    const int width = static_cast<int>(scene.size.columns);
+    refuse(machine.open_frame(width, static_cast<int>(scene.size.rows)), model);
+    refuse(machine.broadcast(block), model);
+    refuse(machine.reserve_heap(static_cast<int>(scene.heap), sizeof(kernels::Cell<Real>)), model);
+    result.frame = Frame(scene.size, scene.crop);
+    result.load_seconds = seconds_since(start);
+
+    const auto render_start = std::chrono::steady_clock::now();
+    std::vector<RayStatistics> rays(machine.nodes().size());
+    std::atomic<std::size_t> done = 0;
+    std::atomic<bool> stopped = false;
+    const auto program = [&](Node<Real>& node) {
+        RayStatistics& counts = rays[static_cast<std::size_t>(node.index())];
+        std::uint64_t cycles_before = 0;
+        kernels::pixel_program(
+            node, node_share(scene.crop, model, node.id()),
+            [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
+                PixelRecord& record = result.frame.at(x, y);
+                gather_pixel(scene, block, pixel, record, counts);
+                record.node = static_cast<std::uint32_t>(node.index());
+                node.write_pixel(
+                    pixel_in_node(model, width, static_cast<int>(x), static_cast<int>(y)),
+                    pack_pixel(record));
+                const std::uint64_t now = cycles(node.tally(), default_cost_table());
+                record.cycles = now - cycles_before;
+                cycles_before = now;
+                const std::size_t finished = ++done;
+                if (control.progress && finished % 256 == 0) {
+                    control.progress(static_cast<double>(finished) /
+                                     static_cast<double>(result.frame.pixels.size()));
+                }
+                if (control.stop && *control.stop) stopped = true;
+                return !stopped && !node.halted();
+            });
+    };
+    refuse(machine.run(program, choice.threads), model);
+    for (const RayStatistics& counts : rays) result.rays.add(counts);
+    result.machine = collect(machine, rays);
+    result.stopped = stopped;
+    result.render_seconds = seconds_since(render_start);
+    return result;
+}
+
+}  // namespace
+
+EngineResult run_on_machine(const CompiledScene& scene, const EngineChoice& choice,
+                            const RunControl& control) {
+    if (choice.numeric == Numeric::twice) return run<double>(scene, choice, control);
+    if (choice.numeric == Numeric::dsp32) return run<dsp32::Float>(scene, choice, control);
+    return run<float>(scene, choice, control);
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,135 @@
+// text -> parse -> scene -> check -> compile -> link -> load and broadcast -> every node: for each
+// of my pixels ray, trace, store -> gather -> picture and statistics.
+#include "host/render/render.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "host/error.hpp"
+#include "host/render/compile.hpp"
+#include "host/render/link.hpp"
+#include "host/scene/check.hpp"
+#include "host/scene/parser.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+/// Seconds since the last call, for one phase after the other.
+class PhaseClock {
+  public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+        return seconds;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// A scene that was parsed, checked and compiled without an error.
+struct Prepared {
+    Scene scene;
+    CompiledScene compiled;
+    std::string warnings;
+    double parse_seconds = 0;
+    double compile_seconds = 0;
+};
+
+Prepared prepare(const RenderRequest& request) {
+    PhaseClock clock;
+    Prepared prepared;
+    Diagnostics diagnostics;
+    prepared.scene = parse_scene(request.scene_path, diagnostics);
+    if (!diagnostics.has_errors()) {
+        apply(request.overrides, prepared.scene);
+        check_scene(prepared.scene, diagnostics);
+        check_supported(prepared.scene, diagnostics);
+    }
+    prepared.parse_seconds = clock.lap();
+    if (!diagnostics.has_errors()) {
+        prepared.compiled = compile(prepared.scene, request.overrides.zoom, diagnostics);
+    }
+    diagnostics.throw_if_errors(prepared.scene.files);
+    prepared.warnings = diagnostics.warnings_text(prepared.scene.files);
+    if (!prepared.warnings.empty()) prepared.warnings += '\n';
+    prepared.compile_seconds = clock.lap();
+    return prepared;
+}
+
+/// The machine's own numbers on the machine, float on the cores at hand, unless the scene says.
+Numeric numeric_of(const Prepared& prepared, const RenderRequest& request) {
+    const RenderBlock render = prepared.scene.render.value_or(RenderBlock{});
+    return render.numeric.value_or(request.machine ? Numeric::dsp32 : Numeric::single);
+}
+
+const char* name_of(Numeric numeric) {
+    switch (numeric) {
+        case Numeric::dsp32:
+            return "dsp32";
+        case Numeric::single:
+            return "float";
+        case Numeric::twice:
+            return "double";
+    }
+    return "";
+}
+
+}  // namespace
+
+RenderResult render(const RenderRequest& request, const RunControl& control) {
+    PhaseClock clock;
+    const Prepared prepared = prepare(request);
+    const NodeProgram program = link(prepared.compiled);
+    const EngineChoice choice{request.machine, numeric_of(prepared, request), request.threads};
+    EngineResult run = request.machine ? run_on_machine(prepared.compiled, choice, control)
+                                       : run_natively(prepared.compiled, choice, control);
+
+    RenderResult result;
+    result.warnings = prepared.warnings;
+    if (run.rays.capped_rays > 0) {
+        result.warnings += fmt::format(
+            "warning: {} of {} rays were given up after {} cells; their pixels show the nearest "
+            "cell "
+            "known by then\n",
+            run.rays.capped_rays, run.rays.eye_rays, prepared.compiled.cell_cap);
+    }
+    result.stopped = run.stopped;
+    result.pixel_at_eye = prepared.compiled.camera.pixel_at_eye * prepared.compiled.unit;
+    result.pixel_growth = prepared.compiled.camera.pixel_growth;
+    result.frame = std::move(run.frame);
+    Statistics& statistics = result.statistics;
+    statistics.scene = request.scene_path;
+    statistics.engine = request.machine ? "machine" : "native";
+    statistics.model = request.machine ? std::string(request.machine->name) : "";
+    statistics.numeric = name_of(choice.numeric);
+    statistics.size = prepared.compiled.size;
+    statistics.threads = request.threads;
+    statistics.rays = run.rays;
+    statistics.scene_block_words = run.scene_block_words;
+    statistics.scene_block_hash = run.scene_block_hash;
+    statistics.program = program;
+    statistics.machine = std::move(run.machine);
+    statistics.seconds = {prepared.parse_seconds,
+                          prepared.compile_seconds,
+                          run.load_seconds,
+                          run.render_seconds,
+                          0,
+                          clock.lap()};
+    return result;
+}
+
+std::string explain_pixel(const RenderRequest& request, long x, long y) {
+    const Prepared prepared = prepare(request);
+    const PixelSize& size = prepared.compiled.size;
+    if (x < 0 || y < 0 || x >= size.columns || y >= size.rows) {
+        throw Error(ExitCode::command_line, fmt::format("--pixel {},{} is outside the {}x{} image",
+                                                        x, y, size.columns, size.rows));
+    }
+    return prepared.warnings + describe_pixel(prepared.compiled, numeric_of(prepared, request), x, y);
+}
+
+}  // namespace pxm::host

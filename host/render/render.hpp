@@ -1,0 +1,58 @@
+// A render from text to picture: host/render/render.cpp is the path as code, one call each.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/render/engine.hpp"
+#include "host/render/frame.hpp"
+#include "host/render/statistics.hpp"
+#include "host/scene/scene.hpp"
+
+namespace pxm::host {
+
+/// What the command line says over the scene's own image, render and object blocks.
+struct SceneOverrides {
+    std::optional<PixelSize> size;
+    std::optional<CropWindow> crop;
+    std::optional<long> levels;
+    double zoom = 1;
+    std::optional<Shading> shading;
+    std::optional<std::variant<CoversOff, Covers>> covers;
+    std::optional<long> samples;
+    std::optional<IntersectMethod> intersect;
+    std::optional<Numeric> numeric;
+    std::optional<double> detail;
+    std::optional<LipschitzMethod> lipschitz;
+    std::optional<VolumeKind> volume;
+    std::optional<long> heap;
+};
+
+/// The scene as it is rendered: overrides win.
+void apply(const SceneOverrides& overrides, Scene& scene);
+
+struct RenderRequest {
+    std::string scene_path;
+    SceneOverrides overrides;
+    const Model* machine = nullptr;  // null: native
+    int threads = 1;
+};
+
+struct RenderResult {
+    Frame frame;
+    Statistics statistics;
+    std::string warnings;     // for the user, empty if there are none
+    bool stopped = false;     // given up by control.stop: the frame is incomplete
+    double pixel_at_eye = 0;  // p(t) = pixel_at_eye + pixel_growth t, world units (Eq. 15.2)
+    double pixel_growth = 0;
+};
+
+/// Renders. Throws Error: the scene is wrong (3), a file cannot be read (4), the machine is too
+/// small (5).
+[[nodiscard]] RenderResult render(const RenderRequest& request, const RunControl& control);
+
+/// The same path up to the engine, then one pixel's descent as text (`--pixel x,y`). A pixel
+/// outside the image is an Error(ExitCode::command_line).
+[[nodiscard]] std::string explain_pixel(const RenderRequest& request, long x, long y);
+
+}  // namespace pxm::host

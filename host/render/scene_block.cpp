@@ -1,0 +1,200 @@
+#include "host/render/scene_block.hpp"
+
+#include <bit>
+
+#include "host/fractal/lipschitz.hpp"
+#include "pxm/real.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+/// Grows a block record by record and fills fields in by address.
+template <class Real>
+class BlockWriter {
+  public:
+    /// Room for so many words; returns their address.
+    std::uint32_t grow(std::size_t words) {
+        const auto address = static_cast<std::uint32_t>(words_.size());
+        words_.insert(words_.end(), words, 0U);
+        return address;
+    }
+    void integer(std::uint32_t address, std::uint32_t value) { words_[address] = value; }
+    void real(std::uint32_t address, double value) {
+        for (const std::uint32_t word : encode(from_double<Real>(value))) words_[address++] = word;
+    }
+    void vector(std::uint32_t address, const glm::dvec3& v) {
+        for (int i = 0; i < 3; ++i) real(address + static_cast<std::uint32_t>(i) * step, v[i]);
+    }
+    void linear(std::uint32_t address, const glm::dmat3& m) {
+        for (int i = 0; i < 3; ++i)
+            vector(address + static_cast<std::uint32_t>(3 * i) * step, m[i]);
+    }
+    void affine(std::uint32_t address, const Affine& map) {
+        linear(address, map.linear);
+        vector(address + 9 * step, map.translation);
+    }
+    std::vector<std::uint32_t> take() { return std::move(words_); }
+
+  private:
+    static constexpr std::uint32_t step = real_words<Real>;
+    std::vector<std::uint32_t> words_;
+};
+
+template <class Real>
+void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
+    using Header = kernels::HeaderRecord<real_words<Real>>;
+    block.integer(Header::width, static_cast<std::uint32_t>(scene.size.columns));
+    block.integer(Header::height, static_cast<std::uint32_t>(scene.size.rows));
+    block.integer(Header::crop, static_cast<std::uint32_t>(scene.crop.x0));
+    block.integer(Header::crop + 1, static_cast<std::uint32_t>(scene.crop.y0));
+    block.integer(Header::crop + 2, static_cast<std::uint32_t>(scene.crop.x1));
+    block.integer(Header::crop + 3, static_cast<std::uint32_t>(scene.crop.y1));
+    block.integer(Header::shading, static_cast<std::uint32_t>(scene.shading));
+    block.integer(Header::projection, static_cast<std::uint32_t>(scene.camera.projection));
+    block.integer(Header::cell_cap, scene.cell_cap);
+    block.vector(Header::eye, {0, 0, 0});
+    block.vector(Header::corner, scene.camera.corner);
+    block.vector(Header::across, scene.camera.across);
+    block.vector(Header::down, scene.camera.down);
+    block.vector(Header::forward, scene.camera.forward);
+    block.real(Header::pixel_at_eye, scene.camera.pixel_at_eye);
+    block.real(Header::pixel_growth, scene.camera.pixel_growth);
+    block.real(Header::detail, scene.detail);
+    block.vector(Header::ambient, scene.ambient);
+    block.vector(Header::background, scene.background);
+}
+
+/// Bits that number `maps` maps, at least one.
+std::uint32_t symbol_bits(std::size_t maps) {
+    return maps < 3 ? 1 : static_cast<std::uint32_t>(std::bit_width(maps - 1));
+}
+
+/// Writes a shape's maps and follow sets; returns the address of its start set.
+template <class Real>
+std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) {
+    using Map = kernels::MapRecord<real_words<Real>>;
+    using FollowSet = kernels::FollowSetRecord<real_words<Real>>;
+    const std::uint32_t maps = block.grow(shape.maps.size() * Map::words);
+    std::vector<std::uint32_t> sets;
+    for (const CompiledSet& set : shape.sets) {
+        const std::uint32_t address = block.grow(FollowSet::words + set.maps.size());
+        sets.push_back(address);
+        const CompiledVolume& volume = set.volume;
+        block.integer(address + FollowSet::volume, static_cast<std::uint32_t>(volume.kind));
+        block.integer(address + FollowSet::map_count, static_cast<std::uint32_t>(set.maps.size()));
+        block.vector(address + FollowSet::center, volume.center);
+        if (volume.kind == kernels::Volume::sphere) {
+            block.real(address + FollowSet::radius, volume.radius);
+        } else {
+            block.vector(address + FollowSet::low, volume.low);
+            block.vector(address + FollowSet::high, volume.high);
+        }
+        block.real(address + FollowSet::diameter, volume.diameter);
+        std::uint32_t entry = address + FollowSet::maps;
+        for (const int map : set.maps) {
+            block.integer(entry++, maps + static_cast<std::uint32_t>(map) * Map::words);
+        }
+    }
+    for (std::size_t i = 0; i < shape.maps.size(); ++i) {
+        const CompiledMap& map = shape.maps[i];
+        const std::uint32_t address = maps + static_cast<std::uint32_t>(i) * Map::words;
+        block.integer(address + Map::follow_set, sets[static_cast<std::size_t>(map.follow_set)]);
+        block.integer(address + Map::symbol, static_cast<std::uint32_t>(i));
+        block.affine(address + Map::inverse, inverse(map.map));
+        block.linear(address + Map::linear, map.map.linear);
+        block.real(address + Map::constant, map.constant);
+        block.vector(address + Map::color, glm::dvec3{map.color});
+        block.real(address + Map::color + 3 * real_words<Real>, map.color.a);
+    }
+    return sets[static_cast<std::size_t>(shape.start)];
+}
+
+template <class Real>
+void write_object(BlockWriter<Real>& block, std::uint32_t address, const CompiledObject& object,
+                  const CompiledShape& shape, std::uint32_t start_set) {
+    using Object = kernels::ObjectRecord<real_words<Real>>;
+    block.integer(address + Object::start_set, start_set);
+    block.integer(address + Object::lipschitz, static_cast<std::uint32_t>(shape.lipschitz));
+    block.integer(address + Object::levels, object.levels);
+    block.integer(address + Object::symbol_bits, symbol_bits(shape.maps.size()));
+    block.integer(address + Object::lifted, shape.lifted ? 1 : 0);
+    block.affine(address + Object::inverse, inverse(object.instance));
+    block.linear(address + Object::linear, object.instance.linear);
+    block.real(address + Object::constant, object.constant);
+    block.real(address + Object::smallest_pixel, smallest_pixel_share<Real>() * object.diameter);
+    block.vector(address + Object::color, object.color);
+    block.real(address + Object::diffuse, object.diffuse);
+}
+
+template <class Real>
+void write_lights(BlockWriter<Real>& block, const CompiledScene& scene) {
+    using Header = kernels::HeaderRecord<real_words<Real>>;
+    using Light = kernels::LightRecord<real_words<Real>>;
+    std::uint32_t address = block.grow(scene.lights.size() * Light::words);
+    block.integer(Header::lights, address);
+    block.integer(Header::light_count, static_cast<std::uint32_t>(scene.lights.size()));
+    for (const CompiledLight& light : scene.lights) {
+        block.integer(address + Light::kind, static_cast<std::uint32_t>(light.kind));
+        block.vector(address + Light::place, light.place);
+        block.vector(address + Light::color, light.color);
+        address += Light::words;
+    }
+}
+
+}  // namespace
+
+template <class Real>
+double smallest_pixel_share() {
+    return real_words<Real> == 1 ? 0x1p-20 : 0x1p-48;
+}
+
+template <class Real>
+std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
+    using Header = kernels::HeaderRecord<real_words<Real>>;
+    using Object = kernels::ObjectRecord<real_words<Real>>;
+    BlockWriter<Real> block;
+    block.grow(Header::words);
+    write_header(block, scene);
+    std::uint32_t object_address = block.grow(scene.objects.size() * Object::words);
+    block.integer(Header::objects, object_address);
+    block.integer(Header::object_count, static_cast<std::uint32_t>(scene.objects.size()));
+    std::vector<std::uint32_t> start_sets;
+    for (const CompiledShape& shape : scene.shapes) start_sets.push_back(write_shape(block, shape));
+    for (const CompiledObject& object : scene.objects) {
+        const auto shape = static_cast<std::size_t>(object.shape);
+        write_object(block, object_address, object, scene.shapes[shape], start_sets[shape]);
+        object_address += Object::words;
+    }
+    write_lights(block, scene);
+    return block.take();
+}
+
+template <class Real>
+std::uint32_t object_index(const std::vector<std::uint32_t>& block, std::uint32_t address) {
+    using Header = kernels::HeaderRecord<real_words<Real>>;
+    using Object = kernels::ObjectRecord<real_words<Real>>;
+    return (address - block[Header::objects]) / Object::words;
+}
+
+std::uint64_t block_hash(const std::vector<std::uint32_t>& block) {
+    std::uint64_t hash = 0xCBF2'9CE4'8422'2325;
+    for (const std::uint32_t word : block) {
+        for (int shift = 0; shift < 32; shift += 8) {
+            hash = (hash ^ (word >> shift & 0xFF)) * 0x100'0000'01B3;
+        }
+    }
+    return hash;
+}
+
+template double smallest_pixel_share<dsp32::Float>();
+template double smallest_pixel_share<float>();
+template double smallest_pixel_share<double>();
+template std::vector<std::uint32_t> make_scene_block<dsp32::Float>(const CompiledScene&);
+template std::vector<std::uint32_t> make_scene_block<float>(const CompiledScene&);
+template std::vector<std::uint32_t> make_scene_block<double>(const CompiledScene&);
+template std::uint32_t object_index<dsp32::Float>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t object_index<float>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t object_index<double>(const std::vector<std::uint32_t>&, std::uint32_t);
+
+}  // namespace pxm::host

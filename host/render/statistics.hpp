@@ -1,0 +1,75 @@
+// What a render counts and measures, for --stats (docs/command-line.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/render/link.hpp"
+#include "host/scene/scene.hpp"
+
+namespace pxm::host {
+
+/// Counts of a whole frame, or of one node.
+struct RayStatistics {
+    std::uint64_t eye_rays = 0;
+    std::uint64_t hits = 0;
+    std::uint64_t volumes_tested = 0;
+    std::uint64_t heap_pushes = 0;
+    std::uint64_t heap_peak = 0;
+    std::uint64_t heap_overflows = 0;  // rays that dropped a cell
+    std::uint64_t restarts = 0;        // rays finished by next_after
+    std::uint64_t capped_rays = 0;
+
+    void add(const RayStatistics& other);
+};
+
+struct NodeStatistics {
+    int id = 0;
+    int column = 0;
+    int row = 0;
+    RayStatistics rays;
+    std::uint64_t cycles = 0;
+};
+
+/// One memory's use, the largest over all nodes.
+struct MemoryUse {
+    std::int64_t limit_bytes = 0;
+    std::int64_t used_bytes = 0;
+};
+
+/// What only the machine has.
+struct MachineStatistics {
+    std::vector<NodeStatistics> nodes;
+    MemoryUse front_buffer;
+    MemoryUse back_buffer;
+    MemoryUse zbuffer;
+    MemoryUse texture;
+};
+
+struct PhaseSeconds {
+    double parse = 0;
+    double compile = 0;
+    double load = 0;
+    double render = 0;
+    double write = 0;
+    double total = 0;
+};
+
+struct Statistics {
+    std::string scene;
+    std::string engine;  // "native" or "machine"
+    std::string model;   // machine only
+    std::string numeric;
+    PixelSize size;
+    int threads = 1;
+    PhaseSeconds seconds;
+    RayStatistics rays;
+    std::uint64_t scene_block_words = 0;
+    std::uint64_t scene_block_hash = 0;
+    NodeProgram program;
+    std::optional<MachineStatistics> machine;
+};
+
+}  // namespace pxm::host

@@ -1,0 +1,23 @@
+// Which bounding volume each follow set of an object gets: declared, or computed, sphere or box.
+#pragma once
+
+#include <vector>
+
+#include "host/fractal/bounds.hpp"
+#include "host/fractal/rifs.hpp"
+#include "host/render/compiled_scene.hpp"
+#include "host/scene/diagnostics.hpp"
+#include "host/scene/scene.hpp"
+
+namespace pxm::host {
+
+/// One volume per follow set, in the coordinates of the ifs block. A declared volume stands for the
+/// start set (for all sets if there is only one) if it contains the attractor; if not, a computed
+/// one does and a warning says by how much it fell short. `kind` other than automatic overrides
+/// what is declared.
+[[nodiscard]] std::vector<CompiledVolume> choose_volumes(const ObjectBlock& object, VolumeKind kind,
+                                                         const Rifs& rifs,
+                                                         const std::vector<Bounds>& bounds,
+                                                         Diagnostics& diagnostics);
+
+}  // namespace pxm::host

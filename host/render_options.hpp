@@ -1,0 +1,33 @@
+// Texts of option values: `--size 640x480`, `--crop 0,0,8,8`, `--covers on`, ... Each function
+// throws Error(ExitCode::command_line) that names the option, what was found and what was expected.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "host/output/image.hpp"
+#include "host/render/render.hpp"
+#include "host/scene/scene.hpp"
+#include "pxm/model.hpp"
+
+namespace pxm::host {
+
+[[nodiscard]] PixelSize parse_size(const std::string& text);
+[[nodiscard]] CropWindow parse_crop(const std::string& text);
+[[nodiscard]] std::pair<long, long> parse_pixel(const std::string& text);
+[[nodiscard]] std::variant<CoversOff, Covers> parse_covers(const std::string& text);
+[[nodiscard]] std::vector<Aov> parse_aovs(const std::string& text);
+[[nodiscard]] Numeric parse_numeric(const std::string& text);
+[[nodiscard]] Shading parse_shading(const std::string& text);
+[[nodiscard]] IntersectMethod parse_intersect(const std::string& text);
+[[nodiscard]] LipschitzMethod parse_lipschitz(const std::string& text);
+[[nodiscard]] VolumeKind parse_volume(const std::string& text);
+[[nodiscard]] const Model& parse_model(const std::string& text);
+
+/// Throws Error(ExitCode::command_line) for what can be said and not yet rendered: the same as
+/// check_supported() refuses in a scene.
+void require_supported(const SceneOverrides& overrides);
+
+}  // namespace pxm::host

@@ -1,0 +1,17 @@
+// The largest scene that is taken (docs/scene-language.md, "Ranges").
+#pragma once
+
+#include <cstddef>
+
+namespace pxm::host {
+
+inline constexpr std::size_t maps_an_ifs = 65'536;
+inline constexpr std::size_t maps_a_scene = 1'000'000;
+inline constexpr long image_side_pixels = 65'536;
+inline constexpr long heap_entries = 65'536;
+inline constexpr long samples_a_pixel = 65'536;
+inline constexpr long mirror_bounces = 64;
+inline constexpr int include_depth = 32;
+inline constexpr std::size_t file_bytes = std::size_t{64} << 20U;
+
+}  // namespace pxm::host

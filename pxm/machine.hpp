@@ -1,0 +1,85 @@
+// The Pixel Machine: an array of nodes, a broadcast to all of them, and a run of one program on
+// each. Nodes share nothing during a frame, so host threads take whole nodes and none waits for
+// another.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pxm/fault.hpp"
+#include "pxm/frame_buffer.hpp"
+#include "pxm/model.hpp"
+#include "pxm/node.hpp"
+#include "pxm/scheduler.hpp"
+
+namespace pxm {
+
+template <class Real>
+class Machine {
+  public:
+    explicit Machine(const Model& model) : model_(model) {
+        for (int row = 0; row < model.rows; ++row) {
+            for (int column = 0; column < model.columns; ++column) {
+                nodes_.emplace_back(NodeId{column, row}, row * model.columns + column);
+            }
+        }
+    }
+
+    [[nodiscard]] const Model& model() const noexcept { return model_; }
+    [[nodiscard]] std::span<Node<Real>> nodes() noexcept { return nodes_; }
+
+    /// Makes room in every front buffer for the node's share of a width x height raster.
+    [[nodiscard]] std::optional<Fault> open_frame(int width, int height) {
+        for (Node<Real>& node : nodes_) {
+            const std::int64_t bytes = owned_pixels(model_, node.id(), width, height) * 4;
+            if (!node.front_buffer().reserve(bytes)) {
+                return Fault{node.index(), node.front_buffer().name(), bytes,
+                             node.front_buffer().limit_bytes()};
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Writes the same words into every node's back frame buffer, from address 0 on.
+    [[nodiscard]] std::optional<Fault> broadcast(std::span<const std::uint32_t> words) {
+        const auto bytes = static_cast<std::int64_t>(words.size_bytes());
+        for (Node<Real>& node : nodes_) {
+            if (!node.back_buffer().reserve(bytes)) {
+                return Fault{node.index(), node.back_buffer().name(), bytes,
+                             node.back_buffer().limit_bytes()};
+            }
+            std::ranges::copy(words, node.back_buffer().words().begin());
+        }
+        return std::nullopt;
+    }
+
+    /// Sets every node's heap up in its z-buffer memory.
+    [[nodiscard]] std::optional<Fault> reserve_heap(int capacity, std::int64_t entry_bytes) {
+        for (Node<Real>& node : nodes_) {
+            if (auto fault = node.reserve_heap(capacity, entry_bytes)) return fault;
+        }
+        return std::nullopt;
+    }
+
+    /// Runs the program once on every node, on `threads` host threads; the fault of the first
+    /// halted node in node order, if any halted. The program must not throw.
+    [[nodiscard]] std::optional<Fault> run(const std::function<void(Node<Real>&)>& program,
+                                           int threads) {
+        for_each_node(static_cast<int>(nodes_.size()), threads,
+                      [&](int index) { program(nodes_[static_cast<std::size_t>(index)]); });
+        for (const Node<Real>& node : nodes_) {
+            if (node.halted()) return node.halted();
+        }
+        return std::nullopt;
+    }
+
+  private:
+    Model model_;
+    std::vector<Node<Real>> nodes_;
+};
+
+}  // namespace pxm

@@ -1,0 +1,127 @@
+// One pixel node: a DSP32 with 36 kB of fast memory, its share of the front and back frame buffers,
+// its z-buffer and texture memory (docs/machine.md). It shares nothing with the others during a
+// frame.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "pxm/fault.hpp"
+#include "pxm/memory.hpp"
+#include "pxm/model.hpp"
+#include "pxm/real.hpp"
+#include "pxm/tally.hpp"
+
+namespace pxm {
+
+/// Place of a node in the array: it owns the pixels with x mod columns = column, y mod rows = row.
+struct NodeId {
+    int column = 0;
+    int row = 0;
+    bool operator==(const NodeId&) const = default;
+};
+
+/// A pixel node that computes with Real: dsp32::Float, float or double.
+template <class Real_>
+class Node {
+  public:
+    using Real = Real_;
+    static constexpr bool watched = false;  // no listener to the search (host::WatchedNode has one)
+
+    Node(NodeId id, int index) : id_(id), index_(index) {}
+
+    [[nodiscard]] NodeId id() const noexcept { return id_; }
+    /// row * columns + column.
+    [[nodiscard]] int index() const noexcept { return index_; }
+
+    // --- the shape database in the back frame buffer ---------------------------------------------
+    [[nodiscard]] std::uint32_t shape_word(std::uint32_t address) noexcept {
+        tally_.add(
+            address == next_shape_ ? Operation::shape_sequential : Operation::shape_scattered, 1);
+        next_shape_ = address + 1;
+        const auto words = back_buffer_.words();
+        if (address >= words.size()) {
+            halt(back_buffer_, (std::int64_t{address} + 1) * 4);
+            return 0;
+        }
+        return words[address];
+    }
+    [[nodiscard]] Real shape_real(std::uint32_t address) noexcept {
+        std::array<std::uint32_t, real_words<Real>> words;
+        for (std::uint32_t i = 0; i < real_words<Real>; ++i) words[i] = shape_word(address + i);
+        return decode<Real>(words);
+    }
+
+    // --- the heap in z-buffer memory: order words first, then the entries
+    // -------------------------
+    [[nodiscard]] int heap_capacity() const noexcept { return heap_capacity_; }
+    [[nodiscard]] std::uint32_t* heap_order() noexcept {
+        return zbuffer_.records<std::uint32_t>(0);
+    }
+    template <class Record>
+    [[nodiscard]] Record* heap_records() noexcept {
+        return zbuffer_.records<Record>(heap_order_bytes(heap_capacity_));
+    }
+    /// Bytes a heap of so many entries takes.
+    [[nodiscard]] static constexpr std::int64_t heap_bytes(std::int64_t capacity,
+                                                           std::int64_t entry_bytes) noexcept {
+        return heap_order_bytes(capacity) + capacity * entry_bytes;
+    }
+    /// Sets the heap up; a Fault if the z-buffer part is too small for it.
+    [[nodiscard]] std::optional<Fault> reserve_heap(int capacity, std::int64_t entry_bytes) {
+        const std::int64_t bytes = heap_bytes(capacity, entry_bytes);
+        if (!zbuffer_.reserve(bytes)) return fault(zbuffer_, bytes);
+        heap_capacity_ = capacity;
+        return std::nullopt;
+    }
+
+    // --- banks
+    // -------------------------------------------------------------------------------------
+    [[nodiscard]] Bank& front_buffer() noexcept { return front_buffer_; }
+    [[nodiscard]] Bank& back_buffer() noexcept { return back_buffer_; }
+    [[nodiscard]] Bank& zbuffer() noexcept { return zbuffer_; }
+    [[nodiscard]] Bank& texture() noexcept { return texture_; }
+
+    /// Stores a 32-bit pixel of the front frame buffer; `pixel` counts the node's own pixels.
+    void write_pixel(std::uint32_t pixel, std::uint32_t rgba) noexcept {
+        tally_.add(Operation::pixel_write, 1);
+        const auto words = front_buffer_.words();
+        if (pixel >= words.size()) {
+            halt(front_buffer_, (std::int64_t{pixel} + 1) * 4);
+            return;
+        }
+        words[pixel] = rgba;
+    }
+
+    // --- counts and faults
+    // ---------------------------------------------------------------------------
+    void tally(Operation operation, std::uint64_t times) noexcept { tally_.add(operation, times); }
+    [[nodiscard]] const Tally& tally() const noexcept { return tally_; }
+    /// The access that halted this node, if one did.
+    [[nodiscard]] const std::optional<Fault>& halted() const noexcept { return halted_; }
+
+  private:
+    static constexpr std::int64_t heap_order_bytes(std::int64_t capacity) noexcept {
+        return (capacity * 4 + 7) / 8 * 8;
+    }
+    [[nodiscard]] Fault fault(const Bank& bank, std::int64_t wanted_bytes) const noexcept {
+        return {index_, bank.name(), wanted_bytes, bank.limit_bytes()};
+    }
+    void halt(const Bank& bank, std::int64_t wanted_bytes) noexcept {
+        if (!halted_) halted_ = fault(bank, wanted_bytes);
+    }
+
+    NodeId id_;
+    int index_;
+    Bank front_buffer_{"front buffer", bank_bytes};
+    Bank back_buffer_{"back buffer", bank_bytes};
+    Bank zbuffer_{"z-buffer", zbuffer_part_bytes};
+    Bank texture_{"texture", texture_part_bytes};
+    int heap_capacity_ = 0;
+    std::uint32_t next_shape_ = 0xFFFF'FFFF;
+    Tally tally_;
+    std::optional<Fault> halted_;
+};
+
+}  // namespace pxm
