@@ -10,11 +10,11 @@
 #include <optional>
 
 #include "host/fractal/bounds.hpp"
-#include "host/fractal/contraction.hpp"
 #include "host/fractal/lipschitz.hpp"
-#include "host/fractal/rifs.hpp"
+#include "host/fractal/proven_rifs.hpp"
 #include "host/render/view.hpp"
 #include "host/render/volumes.hpp"
+#include "host/scene/default_objects.hpp"
 
 namespace pxm::host {
 
@@ -33,16 +33,6 @@ struct Fractal {
     Contraction contraction;
     std::vector<Bounds> bounds;  // empty until an object needs them
 };
-
-bool finite(const Affine& map) {
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            if (!std::isfinite(map.linear[i][j])) return false;
-        }
-        if (!std::isfinite(map.translation[i])) return false;
-    }
-    return true;
-}
 
 void lift_singular_maps(Fractal& fractal, double thickness) {
     for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
@@ -72,43 +62,14 @@ double squashed_extent(const Fractal& fractal) {
 
 /// Nothing if the block has an error.
 std::optional<Fractal> make_fractal(const IfsBlock& block, Diagnostics& diagnostics) {
+    auto proven = prove_rifs(block, diagnostics);
+    if (!proven) return std::nullopt;
     Fractal fractal;
-    Diagnostics own;
-    fractal.exact = build_rifs(block, own);
-    const bool broken = own.has_errors();
-    diagnostics.append(own);
-    if (broken) return std::nullopt;
-    for (std::size_t i = 0; i < block.maps.size(); ++i) {
-        if (finite(fractal.exact.maps[i])) continue;
-        diagnostics.error(block.maps[i].position,
-                          fmt::format("map \"{}\" of ifs \"{}\" is not finite",
-                                      fractal.exact.map_names[i], block.name));
-        return std::nullopt;
-    }
-    fractal.contraction = prove_contraction(fractal.exact);
-    if (fractal.contraction.proof == ContractionProof::none) {
-        diagnostics.error(block.position,
-                          fmt::format("ifs \"{}\" could not be shown to contract: {}", block.name,
-                                      fractal.contraction.obstacle));
-        return std::nullopt;
-    }
-    fractal.rifs = fractal.exact;
+    fractal.rifs = proven->rifs;
+    fractal.exact = std::move(proven->rifs);
+    fractal.contraction = proven->contraction;
     lift_singular_maps(fractal, first_lift);
     return fractal;
-}
-
-/// One object per ifs block where the scene has no object block.
-std::vector<ObjectBlock> objects_of(const Scene& scene) {
-    if (!scene.objects.empty()) return scene.objects;
-    std::vector<ObjectBlock> objects;
-    for (const IfsBlock& ifs : scene.ifs) {
-        ObjectBlock object;
-        object.name = ifs.name;
-        object.ifs = ifs.name;
-        object.ifs_position = object.position = ifs.position;
-        objects.push_back(object);
-    }
-    return objects;
 }
 
 /// An object on its way: its block, its fractal, its place in the world.

@@ -129,7 +129,8 @@ std::string explain_pixel(const RenderRequest& request, long x, long y) {
         throw Error(ExitCode::command_line, fmt::format("--pixel {},{} is outside the {}x{} image",
                                                         x, y, size.columns, size.rows));
     }
-    return prepared.warnings + describe_pixel(prepared.compiled, numeric_of(prepared, request), x, y);
+    return prepared.warnings +
+           describe_pixel(prepared.compiled, numeric_of(prepared, request), x, y);
 }
 
 }  // namespace pxm::host
