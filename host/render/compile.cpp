@@ -23,6 +23,7 @@ namespace {
 constexpr double first_lift = 1e-4;  // thickness of lifted maps before the size of a pixel is known
 constexpr double least_lift = 1e-6;  // thinner would cost a float its digits
 constexpr double most_lift = 1e-2;   // coarser pixels do not make flat images thicker
+constexpr double largest_length = 1e100;  // world units: the square of more is no double
 constexpr glm::dvec3 base_color{0.9, 0.9, 0.9};
 
 /// An ifs block with what mathematics knows of it.
@@ -222,7 +223,9 @@ class Compiler {
         if (diagnostics_.has_errors()) return {};
         const std::vector<ObjectBlock> blocks = objects_of(scene_);
         std::vector<Placed> objects = place(blocks);
+        if (diagnostics_.has_errors()) return {};
         set_view(ball_around(objects));
+        if (diagnostics_.has_errors()) return {};
         lift_to_pixels(objects);
         for (const Placed& object : objects) add_object(object);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
@@ -249,6 +252,13 @@ class Compiler {
             Fractal& fractal = fractals_.at(*block.ifs);
             if (fractal.bounds.empty()) fractal.bounds = bound(fractal.rifs, fractal.contraction);
             objects.push_back({&block, &fractal, compose(block.commands)});
+            const Ball ball = objects.back().world_ball();
+            if (!(glm::length(ball.center) <= largest_length && ball.radius <= largest_length)) {
+                diagnostics_.error(block.position,
+                                   fmt::format("object \"{}\" is too large or too far away: it "
+                                               "reaches beyond {:g}",
+                                               block.name, largest_length));
+            }
         }
         return objects;
     }
@@ -257,7 +267,13 @@ class Compiler {
         const ImageBlock image = scene_.image.value_or(ImageBlock{});
         out_.size = image.size.value_or(PixelSize{});
         out_.crop = image.crop.value_or(CropWindow{0, 0, out_.size.columns, out_.size.rows});
-        view_ = make_view(scene_.camera.value_or(CameraBlock{}), out_.size, ball, zoom_);
+        const CameraBlock camera = scene_.camera.value_or(CameraBlock{});
+        view_ = make_view(camera, out_.size, ball, zoom_);
+        const double reach = glm::length(view_.eye) + view_.half_width;
+        if (!(reach <= largest_length && glm::length(view_.right) > 0.5)) {
+            diagnostics_.error(camera.position,
+                               "the camera's numbers are too large to compute with");
+        }
         out_.unit = power_of_two_near(ball.radius);
         out_.camera = compile_view(view_, out_.size, out_.unit);
     }
