@@ -120,10 +120,18 @@ template <NodeLike Node, class Real = typename Node::Real>
         Cell<Real> child;
         child_cell(node, cell, map, child);
         if (polar) complete_child(node, cell, map, child);
-        inverse = compose(node, read_linear(node, map + Map::inverse), inverse);
+        inverse =
+            compose(node, inverse, read_linear(node, map + Map::inverse));  // M^-1 W_i1^-1 ...
         surface.color = blend(node, surface.color, map + Map::color);
         copy_cell(cell, child);
     }
+}
+
+/// The unit vector from a point to a light that stands at `place`.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Vec3<Real> direction_to_point_light(Node& node, const Vec3<Real>& point,
+                                                  const Vec3<Real>& place) noexcept {
+    return normalize(node, subtract(node, place, point));
 }
 
 /// The unit vector from a point to a light, whatever its kind (Eq. 17.2).
@@ -136,7 +144,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     if (static_cast<LightKind>(node.shape_word(light + Light::kind)) == LightKind::directional) {
         return place;
     }
-    return normalize(node, subtract(node, place, point));
+    return direction_to_point_light(node, point, place);
 }
 
 /// Lambert's law (Eq. 17.1) with the total normal, at a point of the world.
