@@ -29,8 +29,9 @@ using Complaints = std::vector<std::string>;
 
 /// A rule: text that matches `pattern` may stand only in files whose path matches `home`.
 struct Rule {
-    const char* pattern;
-    const char* home;
+    Rule(const char* a, const char* b, const char* c) : pattern(a), home(b), what(c) {}
+    std::regex pattern;
+    std::regex home;
     const char* what;
 };
 
@@ -50,7 +51,7 @@ const Rule node_rules[] = {
     {R"(#include\s*<(thread|mutex|atomic|future)>)", "(?!dsp_kernels/).*", "threads"},
     {R"(\bstd::(vector|string|map|set|deque|list|function|unique_ptr|shared_ptr)\b)",
      "(?!dsp_kernels/).*", "a container that allocates"},
-    {R"(\b(new|delete|malloc)\b(?!>))", "(?!dsp_kernels/).*", "allocation"},
+    {R"(\b(new|malloc)\b(?!>))", "(?!dsp_kernels/).*", "allocation"},
     {R"(\b(throw|try|catch)\b)", "(?!dsp_kernels/).*", "exceptions"},
     {R"(\bstd::c(out|err)\b|\bf?printf\b)", "(?!dsp_kernels/|pxm/).*", "printing"},
 };
@@ -99,8 +100,7 @@ template <std::size_t n>
 void check_rules(const SourceText& source, const std::string& code, const Rule (&rules)[n],
                  Complaints& complaints) {
     for (const Rule& rule : rules)
-        if (std::regex_search(code, std::regex(rule.pattern)) &&
-            !std::regex_match(source.path, std::regex(rule.home)))
+        if (std::regex_search(code, rule.pattern) && !std::regex_match(source.path, rule.home))
             complaints.push_back(source.path + ": " + rule.what + " does not belong here");
 }
 
