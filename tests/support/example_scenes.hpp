@@ -18,7 +18,7 @@ namespace pxm::test {
                                    const std::string& image = "size: 40,30");
 
 struct Example {
-    std::string name;
+    std::string name;  // letters, digits and underscores: also the name of a test
     std::string text;
 };
 

@@ -34,11 +34,7 @@ TEST_P(Picture, in_float_is_admissible) {
     EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
 }
 
-std::string name_of(const testing::TestParamInfo<Example>& info) {
-    std::string name = info.param.name;
-    for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    return name;
-}
+std::string name_of(const testing::TestParamInfo<Example>& example) { return example.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Picture, testing::ValuesIn(example_scenes("20,15")), name_of);
 
