@@ -1,8 +1,8 @@
-// The heap of cells (Def. 12.1, Erratum 1: the top is the smallest), bounded, in z-buffer memory.
-// A full heap loses nothing: the largest cell is dropped and the smallest cell ever dropped, D, is
-// remembered. What is not before D need not be kept, so every cell in the heap is before D, and
-// when the heap runs empty the search goes on from D (dsp_kernels/next_after.hpp). Node code: no
-// allocation, no exceptions.
+// The heap of cells (Def. 12.1, Erratum 1: the top is the smallest), bounded: entries in z-buffer
+// memory, their order in fast memory. A full heap loses nothing: the largest cell is dropped and
+// the smallest cell ever dropped, D, is remembered. What is not before D need not be kept, so every
+// cell in the heap is before D, and when the heap runs empty the search goes on from D
+// (dsp_kernels/next_after.hpp). Node code: no allocation, no exceptions.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class Heap {
   public:
     using Entry = Cell<typename Node::Real>;
 
-    /// Lays the heap over the node's z-buffer memory.
+    /// Lays the heap over the node's memories.
     explicit Heap(Node& node) noexcept
         : node_(node),
           order_(node.heap_order()),

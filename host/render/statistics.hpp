@@ -42,6 +42,7 @@ struct MemoryUse {
 /// What only the machine has.
 struct MachineStatistics {
     std::vector<NodeStatistics> nodes;
+    MemoryUse fast_memory;
     MemoryUse front_buffer;
     MemoryUse back_buffer;
     MemoryUse zbuffer;
