@@ -124,8 +124,7 @@ class EntryReader {
     [[nodiscard]] bool at_statement() const {
         const std::string_view word = reader_.word();
         const std::string_view head = word.substr(0, word.find('='));
-        return (word.size() > 1 && word[1] == '=') || same_word(head, "angle") ||
-               same_word(head, "axiom");
+        return head.size() < word.size() || same_word(head, "angle") || same_word(head, "axiom");
     }
 
     FractintWord string(const Position& position) {

@@ -157,6 +157,12 @@ double clean(double value) {
     return value;
 }
 
+/// The same for ratios such as 1/3.
+double clean_ratio(double ratio) {
+    const double whole = std::round(1 / ratio);
+    return std::abs(1 / ratio - whole) < 1e-13 * whole ? 1 / whole : clean(ratio);
+}
+
 double degrees_of(Complex linear) {
     const double degrees = std::arg(linear) * 180 / std::numbers::pi;
     const double nearest = std::round(degrees * 1e4) / 1e4;
@@ -166,7 +172,7 @@ double degrees_of(Complex linear) {
 MapBlock map_block(const Similarity& map, const std::string& name) {
     MapBlock block;
     block.name = name;
-    const double ratio = clean(std::abs(map.linear));
+    const double ratio = clean_ratio(std::abs(map.linear));
     const double turn = degrees_of(map.linear);
     const glm::dvec3 offset{clean(map.offset.real()), clean(map.offset.imag()), 0};
     block.commands.push_back({ScaleCommand{{ratio, map.flip ? -ratio : ratio, ratio}}, {}});

@@ -182,15 +182,16 @@ std::vector<char> stepping_symbols(const Grammar& grammar) {
     std::vector<char> steps;
     for (const Rule& rule : grammar.rules)
         steps.push_back(draws(rule.symbol) || moves(rule.symbol));
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (std::size_t s = 0; s < steps.size(); ++s) {
-            for (const TurtleCommand& command : grammar.rules[s].commands) {
-                if (steps[s] || command.op != TurtleOp::symbol) continue;
-                changed = steps[s] = steps[static_cast<std::size_t>(command.symbol)];
-                if (changed) break;
-            }
-        }
+    const auto contains_step = [&](const Rule& rule) {
+        return std::ranges::any_of(rule.commands, [&](const TurtleCommand& command) {
+            return command.op == TurtleOp::symbol &&
+                   steps[static_cast<std::size_t>(command.symbol)];
+        });
+    };
+    for (std::vector<char> before; before != steps;) {
+        before = steps;
+        for (std::size_t s = 0; s < steps.size(); ++s)
+            if (contains_step(grammar.rules[s])) steps[s] = 1;
     }
     return steps;
 }
