@@ -268,6 +268,7 @@ class GrowthSearch {
         for (const Rule& rule : grammar_.rules) commands += rule.commands.size();
         const std::size_t levels = std::clamp<std::size_t>(most_commands / commands, 200, 2000);
         last_.push_back(level_zero(grammar_));
+        levels_ = static_cast<int>(levels);
         for (std::size_t n = 0; n < levels; ++n) {
             last_.push_back(next_level(grammar_, last_.back()));
             forget_what_does_not_matter(last_.back());
@@ -358,9 +359,10 @@ class GrowthSearch {
         Growth growth;
         growth.factor = root(ratio, period);
         Complex scale{1.0};
+        const int first = period + levels_ % period;  // a level whose number is a multiple
         for (int k = 0; k < period; ++k) {
-            Level level = back(period - k);
-            const double shift = std::ldexp(1.0, level.exponent - back(period).exponent);
+            Level level = back(first - k);
+            const double shift = std::ldexp(1.0, level.exponent - back(first).exponent);
             for (Complex& d : level.displacement) d *= shift * scale;
             growth.phases.push_back(std::move(level));
             scale /= growth.factor;
@@ -373,6 +375,7 @@ class GrowthSearch {
     std::vector<char> matters_;
     std::vector<char> measured_;
     std::vector<Level> last_;
+    int levels_ = 0;
     bool turned_mirrored_ = false;
 };
 

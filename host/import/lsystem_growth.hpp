@@ -57,7 +57,8 @@ struct Level {
 /// Symbols whose turn and displacement move something that comes after them.
 [[nodiscard]] std::vector<char> symbols_that_matter(const Grammar& grammar);
 
-/// The levels of one period, once the rules repeat: phases[k] is level n0 + k.
+/// The levels of one period, once the rules repeat: phases[k] is level n0 + k, n0 a
+/// multiple of the period.
 struct Growth {
     std::vector<Level> phases;         // displacements as those of a limit: see `factor`
     std::complex<double> factor{1.0};  // of all lengths from one level to the next
