@@ -20,5 +20,7 @@ using CommandAction = std::function<ExitCode()>;
 [[nodiscard]] CommandAction add_points_command(CLI::App& app);
 /// `pxm compare A B`.
 [[nodiscard]] CommandAction add_compare_command(CLI::App& app);
+/// `pxm import FILE [-o SCENE]`.
+[[nodiscard]] CommandAction add_import_command(CLI::App& app);
 
 }  // namespace pxm::host
