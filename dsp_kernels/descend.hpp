@@ -42,15 +42,17 @@ template <NodeLike Node, class Real = typename Node::Real>
 template <NodeLike Node, class Real = typename Node::Real>
 void limit_flatness(Node& node, const Search<Real>& search, Cell<Real>& cell) noexcept {
     using FollowSet = FollowSetRecord<real_words<Real>>;
-    node.tally(Operation::multiply_add, 4);
-    node.tally(Operation::compare_branch, 2);
+    node.tally(Operation::multiply_add, 5);
+    node.tally(Operation::compare_branch, 1);
+    node.tally(Operation::select, 1);
     const Real t = cell.ray.base < Real(0) ? Real(0) : cell.ray.base;
     const Real p = search.detail * pixel_at(node, search, cell.object, t);
     const Real diameter = node.shape_real(cell.follow_set + FollowSet::diameter);
     const Real length2 = dot(node, cell.ray.direction, cell.ray.direction);
     const Real limit = Real(4) * diameter;  // crossing in p/4: |d| p <= 4 diameter
     if (!(limit * limit < length2 * p * p)) return;
-    node.tally(Operation::normalize, 1);
+    node.tally(Operation::reciprocal_square_root, 1);
+    node.tally(Operation::multiply_add, 1);
     node.tally(Operation::divide, 1);
     const Real slower = limit * reciprocal_square_root(length2) / p;
     cell.ray.direction = scale(node, slower, cell.ray.direction);
@@ -104,7 +106,7 @@ void child_cell(Node& node, const Cell<Real>& parent, std::uint32_t map,
     using Map = MapRecord<real_words<Real>>;
     child.ray = transform_ray(node, parent.ray, read_affine(node, map + Map::inverse));
     node.tally(Operation::multiply_add, 1);
-    node.tally(Operation::integer, 8);
+    node.tally(Operation::integer, 8U + CellWord::used(parent.level, parent.bits));
     child.constant = parent.constant * node.shape_real(map + Map::constant);
     child.object = parent.object;
     child.follow_set = node.shape_word(map + Map::follow_set);
@@ -130,6 +132,7 @@ template <NodeLike Node>
     constexpr std::uint32_t R = real_words<typename Node::Real>;
     const std::uint32_t list = follow_set + FollowSetRecord<R>::maps;
     const std::uint32_t count = node.shape_word(follow_set + FollowSetRecord<R>::map_count);
+    node.tally(Operation::call, 1);
     std::uint32_t low = 0;
     std::uint32_t high = count;
     while (low < high) {
@@ -155,7 +158,7 @@ template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Ending ending(Node& node, const Search<Real>& search,
                             const Cell<Real>& cell) noexcept {
     using Object = ObjectRecord<real_words<Real>>;
-    node.tally(Operation::integer, 2);
+    node.tally(Operation::integer, 4);
     if (cell.level == node.shape_word(cell.object + Object::levels)) return Ending::terminal;
     node.tally(Operation::multiply_add, 1);
     node.tally(Operation::compare_branch, 1);

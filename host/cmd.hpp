@@ -18,5 +18,7 @@ using CommandAction = std::function<ExitCode()>;
 [[nodiscard]] CommandAction add_render_command(CLI::App& app);
 /// `pxm compare A B`.
 [[nodiscard]] CommandAction add_compare_command(CLI::App& app);
+/// `pxm models`.
+[[nodiscard]] CommandAction add_models_command(CLI::App& app);
 
 }  // namespace pxm::host

@@ -157,11 +157,11 @@ VolumeKind parse_volume(const std::string& text) {
                                {"hull", VolumeKind::hull}});
 }
 
-const Model& parse_model(const std::string& text) {
+const Model& parse_model(const char* option, const std::string& text) {
     if (const Model* model = find_model(text)) return *model;
     std::string expected;
     for (const Model& model : models()) expected += fmt::format(" {}", model.name);
-    refuse("--machine", text, fmt::format("a model out of{}", expected));
+    refuse(option, text, fmt::format("a model out of{}", expected));
 }
 
 }  // namespace pxm::host

@@ -23,6 +23,6 @@ namespace pxm::host {
 [[nodiscard]] IntersectMethod parse_intersect(const std::string& text);
 [[nodiscard]] LipschitzMethod parse_lipschitz(const std::string& text);
 [[nodiscard]] VolumeKind parse_volume(const std::string& text);
-[[nodiscard]] const Model& parse_model(const std::string& text);
+[[nodiscard]] const Model& parse_model(const char* option, const std::string& text);
 
 }  // namespace pxm::host

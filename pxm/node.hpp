@@ -53,8 +53,7 @@ class Node {
         return decode<Real>(words);
     }
 
-    // --- the heap in z-buffer memory: order words first, then the entries
-    // -------------------------
+    // --- the heap in z-buffer memory: order words first, then the entries ------------------------
     [[nodiscard]] int heap_capacity() const noexcept { return heap_capacity_; }
     [[nodiscard]] std::uint32_t* heap_order() noexcept {
         return zbuffer_.records<std::uint32_t>(0);
@@ -76,8 +75,7 @@ class Node {
         return std::nullopt;
     }
 
-    // --- banks
-    // -------------------------------------------------------------------------------------
+    // --- banks -----------------------------------------------------------------------------------
     [[nodiscard]] Bank& front_buffer() noexcept { return front_buffer_; }
     [[nodiscard]] Bank& back_buffer() noexcept { return back_buffer_; }
     [[nodiscard]] Bank& zbuffer() noexcept { return zbuffer_; }
@@ -86,6 +84,7 @@ class Node {
     /// Stores a 32-bit pixel of the front frame buffer; `pixel` counts the node's own pixels.
     void write_pixel(std::uint32_t pixel, std::uint32_t rgba) noexcept {
         tally_.add(Operation::pixel_write, 1);
+        tally_.add(Operation::pixel_sequential, 1);
         const auto words = front_buffer_.words();
         if (pixel >= words.size()) {
             halt(front_buffer_, (std::int64_t{pixel} + 1) * 4);
@@ -94,8 +93,7 @@ class Node {
         words[pixel] = rgba;
     }
 
-    // --- counts and faults
-    // ---------------------------------------------------------------------------
+    // --- counts and faults -----------------------------------------------------------------------
     void tally(Operation operation, std::uint64_t times) noexcept { tally_.add(operation, times); }
     [[nodiscard]] const Tally& tally() const noexcept { return tally_; }
     /// The access that halted this node, if one did.

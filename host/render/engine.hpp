@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/render/compiled_scene.hpp"
+#include "host/render/cost_model.hpp"
 #include "host/render/frame.hpp"
 #include "host/render/statistics.hpp"
 #include "pxm/model.hpp"
@@ -17,6 +18,7 @@ struct EngineChoice {
     const Model* machine = nullptr;  // null: native
     Numeric numeric = Numeric::single;
     int threads = 1;  // host threads, at least 1
+    CostModel costs = default_cost_model();
 };
 
 /// How a render is watched and stopped from outside.

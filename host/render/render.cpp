@@ -84,7 +84,8 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     PhaseClock clock;
     const Prepared prepared = prepare(request);
     const NodeProgram program = link(prepared.compiled);
-    const EngineChoice choice{request.machine, numeric_of(prepared, request), request.threads};
+    const EngineChoice choice{request.machine, numeric_of(prepared, request), request.threads,
+                              request.costs};
     EngineResult run = request.machine ? run_on_machine(prepared.compiled, choice, control)
                                        : run_natively(prepared.compiled, choice, control);
 
@@ -129,7 +130,8 @@ std::string explain_pixel(const RenderRequest& request, long x, long y) {
         throw Error(ExitCode::command_line, fmt::format("--pixel {},{} is outside the {}x{} image",
                                                         x, y, size.columns, size.rows));
     }
-    return prepared.warnings + describe_pixel(prepared.compiled, numeric_of(prepared, request), x, y);
+    return prepared.warnings +
+           describe_pixel(prepared.compiled, numeric_of(prepared, request), x, y);
 }
 
 }  // namespace pxm::host
