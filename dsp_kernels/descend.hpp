@@ -20,6 +20,11 @@ struct Search {
     std::uint32_t cell_cap;  // most cells tested for one ray
 };
 
+/// Relative error of a ray's parameter that rounding may cause: a few units in the last place, half
+/// of the smallest pixel (design decision 4).
+template <class Real>
+inline constexpr Real rounding_slack = from_double<Real>(real_words<Real> == 1 ? 0x1p-21 : 0x1p-49);
+
 /// Whether the cell's composed linear part is needed for its diameter.
 template <NodeLike Node>
 [[nodiscard]] bool is_polar(Node& node, std::uint32_t object) noexcept {
@@ -77,10 +82,16 @@ template <NodeLike Node, class Real = typename Node::Real>
     const auto inside = intersect_volume(node, cell.ray, cell.follow_set);
     if (!inside) return false;
     node.tally(Operation::select, 2);
-    node.tally(Operation::compare_branch, 1);
     cell.key = from < inside->entry ? inside->entry : from;
     cell.exit = inside->exit < to ? inside->exit : to;
-    return !(cell.exit < cell.key);
+    node.tally(Operation::compare_branch, 1);
+    if (!(cell.exit < cell.key)) return true;
+    // A flat cell's interval is a point: rounding alone may part it from its parent's.
+    node.tally(Operation::multiply_add, 2);
+    node.tally(Operation::compare_branch, 1);
+    if (cell.key - cell.exit > rounding_slack<Real> * cell.key) return false;
+    cell.exit = cell.key;
+    return true;
 }
 
 /// Step 1.1: the cell of the empty word of an object. Its interval is not set yet.

@@ -123,7 +123,8 @@ template <NodeLike Node, class Real = typename Node::Real>
         Cell<Real> child;
         child_cell(node, cell, map, child);
         if (polar) complete_child(node, cell, map, child);
-        inverse = compose(node, read_linear(node, map + Map::inverse), inverse);
+        inverse =
+            compose(node, inverse, read_linear(node, map + Map::inverse));  // M^-1 W_i1^-1 ...
         surface.color = blend(node, surface.color, map + Map::color);
         move_cell(node, cell, child);
     }

@@ -14,6 +14,19 @@ const char* version_text() {
            "\nrequired: OpenImageIO, GLM, OpenMP, pthreads, Eigen, CLI11, fmt, nlohmann-json";
 }
 
+/// CLI11 only says that a command is missing; a misspelt one is named here.
+void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
+    const std::string word = argc > 1 ? argv[1] : "-";
+    if (word.starts_with('-')) return;
+    std::string known;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == word) return;
+        known += " " + command->get_name();
+    }
+    throw Error(ExitCode::command_line,
+                "unknown command \"" + word + "\", expected one of" + known);
+}
+
 }  // namespace
 
 ExitCode run_command_line(int argc, const char* const* argv) {
@@ -30,6 +43,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
         }
         return list;
     }();
+    require_known_command(app, argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "host/cmd.hpp"
+#include "host/option_checks.hpp"
 #include "host/output/comparison.hpp"
 
 namespace pxm::host {
@@ -52,7 +53,7 @@ CommandAction add_compare_command(CLI::App& app) {
             "--tolerance", a->tolerance,
             "Share of pixels that may differ (hit, depth by over a pixel, or colour by over "
             "1/255 in equal cells); over it the exit code is 6. Default 0")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(share());
     return [a] { return compare(*a); };
 }
 

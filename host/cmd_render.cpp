@@ -11,6 +11,7 @@
 
 #include "host/cmd.hpp"
 #include "host/interrupt.hpp"
+#include "host/option_checks.hpp"
 #include "host/output/image.hpp"
 #include "host/output/progress.hpp"
 #include "host/output/safe_file.hpp"
@@ -55,6 +56,7 @@ SceneOverrides overrides_of(const RenderArguments& a) {
     if (!a.intersect.empty()) overrides.intersect = parse_intersect(a.intersect);
     if (!a.lipschitz.empty()) overrides.lipschitz = parse_lipschitz(a.lipschitz);
     if (!a.volume.empty()) overrides.volume = parse_volume(a.volume);
+    require_supported(overrides);
     return overrides;
 }
 
@@ -72,6 +74,23 @@ RenderRequest request_of(const RenderArguments& a) {
 
 std::string default_out(const std::string& scene) {
     return std::filesystem::path(scene).stem().string() + ".png";
+}
+
+/// Throws if one file would be written over another.
+void require_three_files(const std::string& scene, const std::string& out,
+                         const std::string& stats) {
+    const auto same = [](const std::string& a, const std::string& b) {
+        std::error_code error;
+        return std::filesystem::weakly_canonical(a, error) ==
+               std::filesystem::weakly_canonical(b, error);
+    };
+    const auto refuse = [](const std::string& path, const char* what) {
+        throw Error(ExitCode::command_line, fmt::format("{} would be written over {}", path, what));
+    };
+    if (same(out, scene)) refuse(out, "the scene");
+    if (stats.empty()) return;
+    if (same(stats, scene)) refuse(stats, "the scene");
+    if (same(stats, out)) refuse(stats, "the picture");
 }
 
 Metadata metadata_of(const Statistics& s, const RenderArguments& a, const RenderResult& result) {
@@ -127,6 +146,7 @@ ExitCode render_picture(const RenderArguments& arguments) {
                     "--aov cycles: cycles are counted on the machine only "
                     "(--machine MODEL)");
     }
+    require_three_files(arguments.scene, out, arguments.stats);
     require_writable(out);
     if (!arguments.stats.empty()) require_writable(arguments.stats);
 
@@ -179,7 +199,7 @@ CommandAction add_render_command(CLI::App& app) {
     command->add_option("--levels", a->levels, "Stop after so many maps")
         ->check(CLI::Range(0L, 1'000'000'000L));
     command->add_option("--zoom", a->zoom, "Move the eye to look + (eye - look) / F")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     command->add_option("--numeric", a->numeric, "dsp32, float or double");
     command->add_option("--samples", a->samples, "Samples a pixel")->check(CLI::Range(1L, 65536L));
     command->add_option("--covers", a->covers, "on, off, or tmin,tmax in pixels");
@@ -188,13 +208,16 @@ CommandAction add_render_command(CLI::App& app) {
     command->add_option("--lipschitz", a->lipschitz, "auto, product, determinant or polar");
     command->add_option("--volume", a->volume, "auto, sphere, box, oriented or hull");
     command->add_option("--detail", a->detail, "Cells are terminal at so many pixels")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     command->add_option("--heap", a->heap, "Entries of the heap")->check(CLI::Range(1L, 65536L));
     command->add_option("--aov", a->aov,
                         "Extra EXR channels: Z,node,cycles,volumes,level,heap,"
                         "alpha,object,word,N");
     command->add_option("--pixel", a->pixel, "x,y: print this pixel's descent instead");
     command->add_flag("--quiet", a->quiet, "No progress bar, no summary");
+    for (CLI::Option* option : command->get_options()) {
+        if (option->get_expected_min() > 0) option->check(some_text());
+    }
     return [a] { return a->pixel.empty() ? render_picture(*a) : explain(*a); };
 }
 

@@ -157,6 +157,20 @@ VolumeKind parse_volume(const std::string& text) {
                                {"hull", VolumeKind::hull}});
 }
 
+void require_supported(const SceneOverrides& overrides) {
+    const auto unless = [](bool supported, const char* what) {
+        if (!supported) {
+            throw Error(ExitCode::command_line, fmt::format("{}: not supported yet", what));
+        }
+    };
+    unless(!overrides.covers || std::holds_alternative<CoversOff>(*overrides.covers), "--covers");
+    unless(overrides.samples.value_or(1) == 1, "--samples above 1");
+    unless(overrides.intersect != IntersectMethod::fast, "--intersect fast");
+    unless(overrides.intersect != IntersectMethod::wide, "--intersect wide");
+    unless(overrides.volume != VolumeKind::oriented, "--volume oriented");
+    unless(overrides.volume != VolumeKind::hull, "--volume hull");
+}
+
 const Model& parse_model(const char* option, const std::string& text) {
     if (const Model* model = find_model(text)) return *model;
     std::string expected;

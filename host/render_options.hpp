@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/output/image.hpp"
+#include "host/render/render.hpp"
 #include "host/scene/scene.hpp"
 #include "pxm/model.hpp"
 
@@ -24,5 +25,9 @@ namespace pxm::host {
 [[nodiscard]] LipschitzMethod parse_lipschitz(const std::string& text);
 [[nodiscard]] VolumeKind parse_volume(const std::string& text);
 [[nodiscard]] const Model& parse_model(const char* option, const std::string& text);
+
+/// Throws Error(ExitCode::command_line) for what can be said and not yet rendered: the same as
+/// check_supported() refuses in a scene.
+void require_supported(const SceneOverrides& overrides);
 
 }  // namespace pxm::host

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double color_step = 1.0 / 255;
 
+/// a - b; 0 where they are equal though infinite.
+double difference(float a, float b) { return a == b ? 0 : double{a} - double{b}; }
+
 /// p at a depth, from the first file's metadata; 0 if it is not told.
 class PixelMeasure {
   public:
@@ -81,9 +84,9 @@ Comparison compare_images(const LoadedImage& a, const LoadedImage& b) {
         }
         bool other_color = false;
         for (const ChannelPair& channel : rgb) {
-            const double d = a.at(i, channel.a) - b.at(i, channel.b);
+            const double d = difference(a.at(i, channel.a), b.at(i, channel.b));
             squares += d * d;
-            other_color = other_color || std::abs(d) > color_step;
+            other_color = other_color || !(std::abs(d) <= color_step);  // NaN differs
         }
         other_color = other_color && !other_word && !other_hit;
         hits += other_hit;

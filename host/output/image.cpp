@@ -27,7 +27,7 @@ std::string extension_of(const std::string& path) {
 
 bool holds_floats(const std::string& path) {
     const std::string extension = extension_of(path);
-    return extension == "exr" || extension == "hdr" || extension == "pfm";
+    return extension == "exr" || extension == "hdr";
 }
 
 /// The time in the file's metadata: SOURCE_DATE_EPOCH or a constant, so that equal renders are
@@ -93,14 +93,24 @@ void append(std::vector<float>& values, const PixelRecord& pixel, Aov aov) {
     throw Error(ExitCode::file, "cannot write " + path + ": " + why);
 }
 
-void write_pixels(const std::string& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                  const void* pixels) {
+/// Writes to `beside`; messages name `path`.
+void write_pixels(const std::string& path, const std::string& beside, const OIIO::ImageSpec& spec,
+                  OIIO::TypeDesc type, const void* pixels) {
     OIIO::attribute("threads", 1);
-    const auto output = OIIO::ImageOutput::create(path);
+    const auto output = OIIO::ImageOutput::create(beside);
     if (!output) cannot_write(path, OIIO::geterror());
-    if (!output->open(path, spec) || !output->write_image(type, pixels) || !output->close()) {
+    if (!output->open(beside, spec) || !output->write_image(type, pixels) || !output->close()) {
         cannot_write(path, output->geterror());
     }
+}
+
+/// Whether OpenImageIO has a writer of colour pictures for this extension. Its `null` and `term`
+/// write no file, and a zfile holds depths.
+bool is_picture_format(const std::string& path) {
+    const auto output = OIIO::ImageOutput::create(path);
+    if (!output) return (void)OIIO::geterror(), false;
+    const std::string format = output->format_name();
+    return format != "null" && format != "term" && format != "zfile";
 }
 
 }  // namespace
@@ -145,8 +155,7 @@ float srgb_from_linear(float linear) {
 
 void require_image_format(const std::string& path, const std::vector<Aov>& aovs) {
     const std::string extension = extension_of(path);
-    if (extension.empty() || !OIIO::ImageOutput::create(path)) {
-        (void)OIIO::geterror();
+    if (extension.empty() || !is_picture_format(path)) {
         throw Error(ExitCode::command_line, "cannot write " + path +
                                                 ": unknown image extension \"" + extension +
                                                 "\" (png, exr, tif, jpg, ...)");
@@ -187,9 +196,9 @@ void write_image(const std::string& path, const Frame& frame, const std::vector<
     }
     write_safely(path, [&](const std::string& beside) {
         if (floats) {
-            write_pixels(beside, spec, OIIO::TypeDesc::FLOAT, values.data());
+            write_pixels(path, beside, spec, OIIO::TypeDesc::FLOAT, values.data());
         } else {
-            write_pixels(beside, spec, OIIO::TypeDesc::UINT8, bytes.data());
+            write_pixels(path, beside, spec, OIIO::TypeDesc::UINT8, bytes.data());
         }
     });
 }
@@ -208,7 +217,11 @@ const std::string* LoadedImage::find(const std::string& name) const {
 LoadedImage read_image(const std::string& path) {
     OIIO::attribute("threads", 1);
     const auto input = OIIO::ImageInput::open(path);
-    if (!input) throw Error(ExitCode::file, "cannot read " + path + ": " + OIIO::geterror());
+    if (!input) {
+        // OpenImageIO's second sentence would ask the user a question.
+        const std::string why = OIIO::geterror();
+        throw Error(ExitCode::file, "cannot read " + path + ": " + why.substr(0, why.find(". ")));
+    }
     const OIIO::ImageSpec& spec = input->spec();
     LoadedImage image;
     image.width = spec.width;

@@ -24,7 +24,7 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 /// hold the channels asked for (only EXR has room for any).
 void require_image_format(const std::string& path, const std::vector<Aov>& aovs);
 
-/// Writes the crop window's pixels, whole or not at all. EXR, HDR and PFM hold linear floats; other
+/// Writes the crop window's pixels, whole or not at all. EXR and HDR hold linear floats; other
 /// formats hold 8 bits with the sRGB curve. Throws Error(ExitCode::file).
 void write_image(const std::string& path, const Frame& frame, const std::vector<Aov>& aovs,
                  const Metadata& metadata);

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "host/error.hpp"
+#include "host/interrupt.hpp"
 
 namespace pxm::host {
 
@@ -33,6 +34,7 @@ void require_writable(const std::string& path) {
     const fs::path folder = folder_of(path);
     if (path.empty() || fs::path(path).filename().empty()) cannot_write(path, "it names no file");
     if (fs::is_directory(path, error)) cannot_write(path, "it is a directory");
+    if (error == std::errc::filename_too_long) cannot_write(path, error.message());
     if (!fs::exists(folder, error)) cannot_write(path, "its folder does not exist");
     if (!fs::is_directory(folder, error)) cannot_write(path, "its folder is not a directory");
     if (access(folder.c_str(), W_OK | X_OK) != 0) cannot_write(path, std::strerror(errno));
@@ -41,8 +43,10 @@ void require_writable(const std::string& path) {
 void write_safely(const std::string& path, const std::function<void(const std::string&)>& write) {
     require_writable(path);
     const fs::path target(path);
-    const fs::path beside = folder_of(path) / fmt::format(".{}.part-{}{}", target.stem().string(),
-                                                          getpid(), target.extension().string());
+    // Short, so that any name that can be written can be written beside.
+    const fs::path beside =
+        folder_of(path) / fmt::format(".pxm-part-{}{}", getpid(), target.extension().string());
+    const PartFileGuard guard(beside.string());
     std::error_code ignored;
     try {
         write(beside.string());

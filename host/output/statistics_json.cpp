@@ -60,10 +60,11 @@ Json node_json(const NodeStatistics& node) {
             {"seconds", static_cast<double>(node.cycles) * instruction_seconds}};
 }
 
+/// `bytes` is null: no module has been measured.
 Json modules_json(const std::vector<ProgramModule>& modules) {
     Json list = Json::array();
     for (const ProgramModule& module : modules) {
-        list.push_back({{"name", module.name}, {"because", module.because}});
+        list.push_back({{"name", module.name}, {"bytes", nullptr}, {"because", module.because}});
     }
     return list;
 }
@@ -90,7 +91,7 @@ Json balance_json(const std::vector<NodeStatistics>& nodes) {
 
 std::string statistics_json(const Statistics& s) {
     Json json = {{"pxm", PXM_VERSION}, {"scene", s.scene}, {"engine", s.engine}};
-    if (s.machine) json["model"] = s.model;
+    json["model"] = s.machine ? Json(s.model) : Json(nullptr);
     json["numeric"] = s.numeric;
     json["size"] = {s.size.columns, s.size.rows};
     json["threads"] = s.threads;
@@ -108,6 +109,7 @@ std::string statistics_json(const Statistics& s) {
     if (!s.machine) return json.dump(2) + "\n";
 
     json["program"] = {{"limit_bytes", fast_memory_bytes},
+                       {"used_bytes", nullptr},
                        {"modules", modules_json(s.program.modules)},
                        {"left_out", modules_json(s.program.left_out)}};
     json["memory"] = {{"front_buffer", memory_json(s.machine->front_buffer)},

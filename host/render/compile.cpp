@@ -22,6 +22,7 @@ namespace {
 
 constexpr double first_lift = 1e-4;  // thickness of lifted maps before the size of a pixel is known
 constexpr double least_lift = 1e-6;  // thinner would cost a float its digits
+constexpr double most_lift = 1e-2;   // coarser pixels do not make flat images thicker
 constexpr glm::dvec3 base_color{0.9, 0.9, 0.9};
 
 /// An ifs block with what mathematics knows of it.
@@ -49,6 +50,24 @@ void lift_singular_maps(Fractal& fractal, double thickness) {
         fractal.rifs.maps[i] = lift(fractal.exact.maps[i], thickness);
         fractal.lifted = true;
     }
+}
+
+/// The smallest extent, along the axes that singular maps squash, of what may stand inside them; at
+/// most the diameter of the largest ball.
+double squashed_extent(const Fractal& fractal) {
+    double smallest = INFINITY;
+    for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
+        if (classify(fractal.exact.maps[i]) != MapKind::singular) continue;
+        const SingularValues values = singular_values(fractal.exact.maps[i].linear);
+        const Bounds& inside = fractal.bounds[static_cast<std::size_t>(fractal.rifs.follow_of[i])];
+        const glm::dvec3 size = inside.box.high - inside.box.low;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (values.values[axis] > 1e-12 * values.values[0]) continue;
+            const double extent = glm::dot(glm::abs(values.input[axis]), size);
+            if (extent > 1e-6 * inside.ball.radius) smallest = std::min(smallest, extent);
+        }
+    }
+    return smallest;
 }
 
 /// Nothing if the block has an error.
@@ -282,21 +301,22 @@ class Compiler {
         out_.camera = compile_view(view_, out_.size, out_.unit);
     }
 
-    /// Gives flat images a thickness of a quarter of a pixel, as seen at the nearest object of the
-    /// ifs.
+    /// Gives flat images the thickness of a pixel, as seen at the nearest object of the ifs: a ray
+    /// a pixel does not miss them edge on.
     void lift_to_pixels(const std::vector<Placed>& objects) {
         std::map<Fractal*, double> thickness;
         for (const Placed& object : objects) {
             if (!object.fractal->lifted) continue;
-            const Ball ball = object.world_ball();
-            const double distance = glm::distance(view_.eye, ball.center);
+            const double distance = glm::distance(view_.eye, object.world_ball().center);
             const double p = pixel_size(view_, out_.size, distance);
-            const double share = ball.radius > 0 ? p / 4 / (2 * ball.radius) : first_lift;
+            const double extent =
+                lipschitz_constant(object.instance) * squashed_extent(*object.fractal);
+            const double share = extent > 0 && std::isfinite(extent) ? p / extent : first_lift;
             const auto [found, added] = thickness.emplace(object.fractal, share);
             if (!added) found->second = std::min(found->second, share);
         }
         for (const auto& [fractal, share] : thickness) {
-            lift_singular_maps(*fractal, std::clamp(share, least_lift, 1e-2));
+            lift_singular_maps(*fractal, std::clamp(share, least_lift, most_lift));
             fractal->bounds = bound(fractal->rifs, fractal->contraction);
         }
     }

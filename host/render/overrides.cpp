@@ -1,6 +1,10 @@
 // The command line wins over the scene.
 #include "host/render/render.hpp"
 
+#include <fmt/format.h>
+
+#include "host/error.hpp"
+
 namespace pxm::host {
 
 namespace {
@@ -8,6 +12,15 @@ namespace {
 template <class T>
 void override_with(const std::optional<T>& value, std::optional<T>& target) {
     if (value) target = value;
+}
+
+/// A size out of range is the scene's error, and reported as such.
+void require_inside(const CropWindow& crop, const PixelSize& size) {
+    if (size.columns < 1 || size.rows < 1) return;
+    if (crop.x1 <= size.columns && crop.y1 <= size.rows) return;
+    throw Error(ExitCode::command_line,
+                fmt::format("--crop {},{},{},{} is not inside the {}x{} image", crop.x0, crop.y0,
+                            crop.x1, crop.y1, size.columns, size.rows));
 }
 
 }  // namespace
@@ -18,6 +31,9 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
     if (overrides.size && scene.image->crop && !overrides.crop) scene.image->crop.reset();
     override_with(overrides.size, scene.image->size);
     override_with(overrides.crop, scene.image->crop);
+    if (overrides.crop) {
+        require_inside(*overrides.crop, scene.image->size.value_or(PixelSize{}));
+    }
     RenderBlock& render = *scene.render;
     override_with(overrides.shading, render.shading);
     override_with(overrides.covers, render.covers);

@@ -31,6 +31,20 @@ CompiledVolume box(const glm::dvec3& low, const glm::dvec3& high) {
     return volume;
 }
 
+/// A computed box. A flat attractor's box is given some thickness: where a ray crosses a box that
+/// has none, its interval is a point, and rounding would part it from its parent's.
+CompiledVolume computed_box(const Box& bounds) {
+    constexpr double flat = 1.0 / 1024;     // of the diagonal: thinner counts as flat
+    constexpr double thickness = 1.0 / 32;  // of the diagonal: what it becomes
+    const double diagonal = glm::length(bounds.high - bounds.low);
+    glm::dvec3 margin{0.0};
+    for (int i = 0; i < 3; ++i) {
+        const double extent = bounds.high[i] - bounds.low[i];
+        if (extent < flat * diagonal) margin[i] = (thickness * diagonal - extent) / 2;
+    }
+    return box(bounds.low - margin, bounds.high + margin);
+}
+
 /// The mean area of a volume's shadow: what a ray in a random direction has to hit (Cauchy: a
 /// quarter of the surface of a convex body).
 double mean_shadow(const Ball& ball) { return std::numbers::pi * ball.radius * ball.radius; }
@@ -90,7 +104,7 @@ std::vector<CompiledVolume> choose_volumes(const ObjectBlock& object, VolumeKind
     std::vector<CompiledVolume> volumes;
     for (const Bounds& b : bounds) {
         volumes.push_back(chosen == VolumeKind::sphere ? sphere(b.ball.center, b.ball.radius)
-                                                       : box(b.box.low, b.box.high));
+                                                       : computed_box(b.box));
     }
     if (declared) volumes[static_cast<std::size_t>(rifs.start)] = *declared;
     return volumes;

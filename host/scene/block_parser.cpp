@@ -13,7 +13,9 @@ bool at_top_level_start(const TokenReader& tokens) {
     if (word.kind != TokenKind::word) return false;
     if (word.text == "include") return second.is(':') || second.kind == TokenKind::string;
     if (word.text == "let") return second.kind == TokenKind::word;
-    return find_block(word.text) != nullptr && (second.is('{') || second.kind == TokenKind::word);
+    if (find_block(word.text) == nullptr) return false;
+    // A kind and a name alone may be a directive that lacks its colon, as in `ifs grass`.
+    return second.is('{') || (second.kind == TokenKind::word && tokens.peek_third().is('{'));
 }
 
 void skip_until(TokenReader& tokens, const std::function<bool()>& stop) {
@@ -42,8 +44,10 @@ BlockParser::Head BlockParser::head(const BlockGrammar& grammar) {
     const Token kind = tokens_.take();
     Head head{{}, kind.position};
     const Token& next = tokens_.peek();
-    if (grammar.naming == Naming::needed ||
-        (grammar.naming == Naming::allowed && next.kind == TokenKind::word))
+    // `camera eye: ...` lacks its brace, `object cone { ... }` has a keyword for a name.
+    const bool named =
+        next.kind == TokenKind::word && (!is_keyword(next.text) || tokens_.peek_second().is('{'));
+    if (grammar.naming == Naming::needed || (grammar.naming == Naming::allowed && named))
         head.name = values_.name(fmt::format("the {}", kind.text));
     return head;
 }

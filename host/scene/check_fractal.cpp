@@ -67,7 +67,7 @@ void check_volume(const DeclaredVolume& volume, const Position& position, RangeC
 
 void check_ifs(const IfsBlock& ifs, Diagnostics& diagnostics) {
     const std::string block = block_name("ifs", ifs.name);
-    for (std::size_t i = 0; i < ifs.maps.size() && !diagnostics.full(); ++i) {
+    for (std::size_t i = 0; i < ifs.maps.size() && !diagnostics.overflowed(); ++i) {
         const MapBlock& map = ifs.maps[i];
         const std::string name =
             map.name.empty() ? fmt::format("map {}", i + 1) : block_name("map", map.name);

@@ -120,8 +120,7 @@ class ExpressionParser {
 
     double finite(double value, const Token& at) {
         if (!std::isfinite(value))
-            tokens_.fail(at.position,
-                         fmt::format("the result of '{}' is not a finite number", at.text));
+            tokens_.fail(at.position, fmt::format("'{}' has no finite value here", at.text));
         return value;
     }
 

@@ -97,7 +97,8 @@ std::string suggest(std::string_view word, const std::vector<std::string_view>& 
     for (const std::string_view candidate : candidates) {
         const int distance = edit_distance(word, candidate);
         // A short word shares too little with what is two edits away.
-        if (static_cast<std::size_t>(distance) * 2 > word.size() || distance >= least) continue;
+        const bool near = distance <= 1 ? word.size() > 1 : word.size() > 4;
+        if (!near || distance >= least) continue;
         least = distance;
         nearest = candidate;
     }

@@ -11,6 +11,7 @@
 #include <glm/vec4.hpp>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -30,7 +31,6 @@ struct Position {
 struct SourceFile {
     std::string name;
     std::string text;
-    bool operator==(const SourceFile&) const { return true; }
 };
 
 /// A number with its exact text: deep zooms need more digits than a double holds.
@@ -274,7 +274,15 @@ struct Scene {
     std::optional<CameraBlock> camera;
     std::optional<ImageBlock> image;
     std::optional<RenderBlock> render;
-    bool operator==(const Scene&) const = default;
+
+    /// The same whatever files it was read from: an include leaves no trace.
+    bool operator==(const Scene& other) const {
+        const auto blocks = [](const Scene& s) {
+            return std::tie(s.ifs, s.objects, s.planes, s.textures, s.lights, s.camera, s.image,
+                            s.render);
+        };
+        return blocks(*this) == blocks(other);
+    }
 };
 
 /// The affine map that a list of commands composes to, in the order written.

@@ -1,4 +1,4 @@
-// The tokens of one file with two of lookahead, and the parser's way of failing: a mistake is
+// The tokens of one file with lookahead, and the parser's way of failing: a mistake is
 // reported and SyntaxError thrown; whoever can go on catches it.
 #pragma once
 
@@ -19,6 +19,8 @@ class TokenReader {
 
     [[nodiscard]] const Token& peek() const { return next_; }
     [[nodiscard]] const Token& peek_second() const { return second_; }
+    /// The token after peek_second(); it is read anew at every call.
+    [[nodiscard]] Token peek_third() const { return Lexer(lexer_).next(); }
     Token take();
     /// Tokens taken so far: tells whether anything was consumed.
     [[nodiscard]] long taken() const { return taken_; }

@@ -7,12 +7,16 @@
 #include "host/scene/printable.hpp"
 
 namespace pxm::host {
+namespace {
+
+constexpr double whole_limit = 1e15;  // every whole number up to here is a double
+
+}  // namespace
 
 long ValueReader::whole_number() {
-    constexpr double limit = 1e15;  // every whole number up to here is a double
     const Position position = tokens_.peek().position;
     const double value = number();
-    if (std::abs(value) > limit || value != std::trunc(value))
+    if (std::abs(value) > whole_limit || value != std::trunc(value))
         tokens_.fail(position, fmt::format("expected a whole number, found {}", value));
     return static_cast<long>(value);
 }
@@ -95,7 +99,10 @@ MapReference ValueReader::map_reference() {
     const Token token = tokens_.peek();
     MapReference reference{{}, token.position};
     if (token.kind == TokenKind::number) {
-        reference.map = whole_number();
+        const double number = number_value(token.text).value_or(0.5);
+        if (number != std::trunc(number) || number > whole_limit) tokens_.fail_expected(expected);
+        reference.map = static_cast<long>(number);
+        tokens_.take();
     } else if (token.kind == TokenKind::word && !is_keyword(token.text)) {
         reference.map = std::string(tokens_.take().text);
     } else {

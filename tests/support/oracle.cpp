@@ -1,0 +1,297 @@
+#include "tests/support/oracle.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+
+namespace pxm::test {
+
+using namespace host;
+
+namespace {
+
+constexpr long patience = 20'000'000;  // cells met by one ray
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// T as the thesis writes it: the rows of the matrix are Affine::linear's entries.
+Eigen::Matrix3d matrix_of(const Affine& map) {
+    Eigen::Matrix3d t;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) t(row, column) = map.linear[row][column];
+    }
+    return t;
+}
+
+Eigen::RowVector3d row(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+glm::dvec3 vector(const Eigen::RowVector3d& v) { return {v(0), v(1), v(2)}; }
+
+double largest_singular_value(const Affine& map) {
+    return Eigen::JacobiSVD<Eigen::Matrix3d>(matrix_of(map)).singularValues()(0);
+}
+
+/// Where a line is inside a volume, and the volume's outward normals at both ends.
+struct Crossing {
+    double entry = -infinity;
+    double exit = infinity;
+    glm::dvec3 entry_normal{0.0};
+    glm::dvec3 exit_normal{0.0};
+};
+
+/// |o + t d - c|^2 = r^2; the discriminant by the distance of the line from the centre.
+std::optional<Crossing> cross_sphere(const glm::dvec3& o, const glm::dvec3& d,
+                                     const CompiledVolume& sphere) {
+    const glm::dvec3 from_center = o - sphere.center;
+    const glm::dvec3 lever = glm::cross(from_center, d);
+    const double a = glm::dot(d, d);
+    const double b = glm::dot(from_center, d);
+    const double discriminant = sphere.radius * sphere.radius * a - glm::dot(lever, lever);
+    if (discriminant < 0) return std::nullopt;
+    Crossing result;
+    result.entry = (-b - std::sqrt(discriminant)) / a;
+    result.exit = (-b + std::sqrt(discriminant)) / a;
+    result.entry_normal = from_center + result.entry * d;
+    result.exit_normal = from_center + result.exit * d;
+    return result;
+}
+
+/// Slab by slab.
+std::optional<Crossing> cross_box(const glm::dvec3& o, const glm::dvec3& d,
+                                  const CompiledVolume& box) {
+    Crossing result;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (d[axis] == 0) {
+            if (o[axis] < box.low[axis] || box.high[axis] < o[axis]) return std::nullopt;
+            continue;
+        }
+        glm::dvec3 outward{0.0};
+        outward[axis] = d[axis] > 0 ? 1 : -1;
+        const double to_low = (box.low[axis] - o[axis]) / d[axis];
+        const double to_high = (box.high[axis] - o[axis]) / d[axis];
+        const auto [near, far] = std::minmax(to_low, to_high);
+        if (near > result.entry) {
+            result.entry = near;
+            result.entry_normal = -outward;
+        }
+        if (far < result.exit) {
+            result.exit = far;
+            result.exit_normal = outward;
+        }
+    }
+    if (result.exit < result.entry) return std::nullopt;
+    return result;
+}
+
+/// The ray in the coordinates of a cell, against the volume there (Eq. 12.3).
+std::optional<Crossing> cross(const Sight& ray, const Affine& place, const Eigen::Matrix3d& back,
+                              const CompiledVolume& volume) {
+    const glm::dvec3 o = vector(row(ray.origin - place.translation) * back);
+    const glm::dvec3 d = vector(row(ray.direction) * back);
+    return volume.kind == kernels::Volume::sphere ? cross_sphere(o, d, volume)
+                                                  : cross_box(o, d, volume);
+}
+
+}  // namespace
+
+bool comes_before(const TerminalCell& a, const TerminalCell& b) {
+    return std::tie(a.key, a.object, a.word) < std::tie(b.key, b.object, b.word);
+}
+
+Oracle::Oracle(const CompiledScene& scene, double smallest_share)
+    : scene_(scene), smallest_share_(smallest_share) {
+    for (const CompiledShape& shape : scene.shapes) {
+        map_lips_.emplace_back();
+        for (const CompiledMap& map : shape.maps) {
+            map_lips_.back().push_back(largest_singular_value(map.map));
+        }
+    }
+    for (int object = 0; object < static_cast<int>(scene.objects.size()); ++object) {
+        cells_.push_back(outermost(object));
+        const CompiledShape& shape = shape_of(object);
+        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(shape.start)].volume;
+        object_sizes_.push_back(largest_singular_value(cells_.back().place) * volume.diameter);
+    }
+}
+
+Sight Oracle::sight(long x, long y) const {
+    const CompiledCamera& camera = scene_.camera;
+    const glm::dvec3 on_plane = camera.corner + (static_cast<double>(x) + 0.5) * camera.across +
+                                (static_cast<double>(y) + 0.5) * camera.down;
+    if (camera.projection == kernels::Projection::orthographic) return {on_plane, camera.forward};
+    return {glm::dvec3{0.0}, glm::normalize(on_plane)};
+}
+
+std::vector<TerminalCell> Oracle::look(const Sight& ray) {
+    std::vector<TerminalCell> found;
+    visited_ = 0;
+    for (int object = 0; object < static_cast<int>(scene_.objects.size()); ++object) {
+        TerminalCell path;
+        path.object = object;
+        path.key = 0;
+        path.exit = infinity;
+        visit(ray, static_cast<std::size_t>(object), path, found);
+    }
+    std::ranges::sort(found, comes_before);
+    return found;
+}
+
+double Oracle::pixel_size(int object, double key) const {
+    const double p = scene_.camera.pixel_at_eye + scene_.camera.pixel_growth * key;  // Eq. 15.2
+    return std::max(p, smallest_share_ * object_sizes_[static_cast<std::size_t>(object)]);
+}
+
+/// `path` comes with the word of the cell and the interval of its parent, and is left with the word
+/// it came with.
+void Oracle::visit(const Sight& ray, std::size_t cell, TerminalCell& path,
+                   std::vector<TerminalCell>& found) {
+    const CompiledShape& shape = shape_of(path.object);
+    const CompiledSet& set = shape.sets[static_cast<std::size_t>(cells_[cell].set)];
+    const auto crossing = cross(ray, cells_[cell].place, cells_[cell].back, set.volume);
+    if (!crossing) return;
+    const double key = std::max(path.key, crossing->entry);  // Erratum 3
+    const double exit = std::min(path.exit, crossing->exit);
+    if (exit < key) return;
+    if (++visited_ > patience) throw std::runtime_error("a ray meets too many cells");
+    const bool last_level =
+        path.word.size() == scene_.objects[static_cast<std::size_t>(path.object)].levels;
+    const double diameter = cells_[cell].diameter;
+    if (last_level || diameter <= scene_.detail * pixel_size(path.object, key)) {
+        found.push_back({key, path.object, path.word, exit, diameter});
+        return;
+    }
+    const double outer_key = path.key;
+    const double outer_exit = path.exit;
+    open(path.object, cell);
+    for (std::size_t i = 0; i < set.maps.size(); ++i) {
+        path.key = key;
+        path.exit = exit;
+        path.word.push_back(set.maps[i]);
+        visit(ray, cells_[cell].children + i, path, found);
+        path.word.pop_back();
+    }
+    path.key = outer_key;
+    path.exit = outer_exit;
+}
+
+const CompiledShape& Oracle::shape_of(int object) const {
+    const CompiledObject& instance = scene_.objects[static_cast<std::size_t>(object)];
+    return scene_.shapes[static_cast<std::size_t>(instance.shape)];
+}
+
+Oracle::Cell Oracle::make_cell(int object, const Affine& place, double product, int set) const {
+    Cell cell;
+    cell.place = place;
+    cell.back = matrix_of(place).inverse();
+    cell.product = product;
+    cell.set = set;
+    double lip = product;
+    const CompiledShape& shape = shape_of(object);
+    if (shape.lipschitz == kernels::Lipschitz::determinant) {
+        lip = std::cbrt(std::abs(matrix_of(place).determinant()));  // Eq. 16.3
+    } else if (shape.lipschitz == kernels::Lipschitz::polar) {
+        lip = largest_singular_value(place);  // Sec. 16.2
+    }
+    cell.diameter = lip * shape.sets[static_cast<std::size_t>(set)].volume.diameter;
+    return cell;
+}
+
+Oracle::Cell Oracle::outermost(int object) const {
+    const Affine& instance = scene_.objects[static_cast<std::size_t>(object)].instance;
+    return make_cell(object, instance, largest_singular_value(instance), shape_of(object).start);
+}
+
+Oracle::Cell Oracle::inside(int object, const Cell& cell, int map) const {
+    const auto m = static_cast<std::size_t>(map);
+    const CompiledMap& next = shape_of(object).maps[m];
+    const auto shape = static_cast<std::size_t>(
+        scene_.objects[static_cast<std::size_t>(object)].shape);
+    return make_cell(object, then(next.map, cell.place), cell.product * map_lips_[shape][m],
+                     next.follow_set);
+}
+
+void Oracle::open(int object, std::size_t cell) {
+    if (cells_[cell].children != 0) return;
+    cells_[cell].children = cells_.size();
+    const auto set = static_cast<std::size_t>(cells_[cell].set);
+    for (const int map : shape_of(object).sets[set].maps) {
+        cells_.push_back(inside(object, cells_[cell], map));
+    }
+}
+
+std::vector<Oracle::PathNormal> Oracle::normals_on_path(const Sight& ray,
+                                                        const TerminalCell& seen) const {
+    std::vector<PathNormal> normals;
+    Cell cell = cells_[static_cast<std::size_t>(seen.object)];
+    for (std::size_t level = 0;; ++level) {  // the cells that contain the hit, Erratum 13
+        const auto set = static_cast<std::size_t>(cell.set);
+        const auto crossing =
+            cross(ray, cell.place, cell.back, shape_of(seen.object).sets[set].volume);
+        const auto to_world = [&](const glm::dvec3& normal) {
+            return glm::normalize(vector(row(normal) * cell.back.transpose()));
+        };
+        if (crossing && crossing->entry > 0) {  // a cell around the eye gives no normal
+            normals.push_back({level, to_world(crossing->entry_normal), cell.diameter});
+        }
+        if (level == seen.word.size()) {
+            const bool facet = scene_.shading == kernels::ShadingMode::facet;
+            if (facet && !normals.empty() && normals.back().level != level) normals.clear();
+            if (crossing && normals.empty()) {
+                normals.push_back({level, to_world(crossing->exit_normal), cell.diameter});
+            }
+            if (facet && !normals.empty()) return {normals.back()};
+            return normals;
+        }
+        cell = inside(seen.object, cell, seen.word[level]);
+    }
+}
+
+glm::dvec3 Oracle::total_normal(const Sight& ray, const TerminalCell& seen) const {
+    const double outermost_diameter = cells_[static_cast<std::size_t>(seen.object)].diameter;
+    const auto weight = [&](double diameter) {
+        if (scene_.shading == kernels::ShadingMode::low_pass) return diameter;  // Eq. 17.5
+        if (scene_.shading == kernels::ShadingMode::high_pass) {
+            return outermost_diameter - diameter;  // Eq. 17.6
+        }
+        return 1.0;  // Eq. 17.4
+    };
+    glm::dvec3 weighted{0.0};
+    glm::dvec3 unweighted{0.0};
+    double weights = 0;
+    for (const PathNormal& one : normals_on_path(ray, seen)) {
+        weighted += weight(one.diameter) * one.normal;
+        unweighted += one.normal;
+        weights += weight(one.diameter);
+    }
+    return glm::normalize(weights > 0 ? weighted : unweighted);  // Erratum 18
+}
+
+glm::dvec3 Oracle::surface_color(const TerminalCell& seen) const {
+    glm::dvec3 color = scene_.objects[static_cast<std::size_t>(seen.object)].color;
+    for (const int map : seen.word) {
+        const glm::dvec4 paint = shape_of(seen.object).maps[static_cast<std::size_t>(map)].color;
+        color = (1 - paint.a) * color + paint.a * glm::dvec3{paint};
+    }
+    return color;
+}
+
+Appearance Oracle::appearance(const Sight& ray, const TerminalCell& seen) const {
+    const double diffuse = scene_.objects[static_cast<std::size_t>(seen.object)].diffuse;
+    const glm::dvec3 point = ray.origin + seen.key * ray.direction;
+    Appearance result;
+    result.normal = total_normal(ray, seen);
+    glm::dvec3 light_sum = scene_.ambient;
+    for (const CompiledLight& light : scene_.lights) {
+        const glm::dvec3 toward = light.kind == kernels::LightKind::directional
+                                      ? light.place
+                                      : glm::normalize(light.place - point);  // Eq. 17.2
+        light_sum += diffuse * std::max(0.0, glm::dot(result.normal, toward)) * light.color;
+    }
+    result.color = light_sum * surface_color(seen);  // Eq. 17.1
+    return result;
+}
+
+}  // namespace pxm::test

@@ -1,0 +1,36 @@
+// Compares a frame with the oracle, pixel by pixel (docs/design.md, decision 4).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/render/frame.hpp"
+#include "tests/support/oracle.hpp"
+
+namespace pxm::test {
+
+/// The frame's 24-bit hash of a word, computed from the word.
+[[nodiscard]] std::uint32_t hash_of(const std::vector<int>& word);
+
+/// What a frame's pixels are worth.
+struct Verdict {
+    long pixels = 0;
+    long hits = 0;          // by the oracle
+    long same = 0;          // the same cell (or a miss by both), with the same level and z
+    long admissible = 0;    // the same, or another that decision 4 admits
+    long wrong_colors = 0;  // of pixels that show the same cell: colour off by more than 1/255
+    std::string report;     // the first few disagreements: pixel, both words and keys
+
+    [[nodiscard]] double same_share() const {
+        return static_cast<double>(same) / static_cast<double>(pixels);
+    }
+    [[nodiscard]] double admissible_share() const {
+        return static_cast<double>(admissible) / static_cast<double>(pixels);
+    }
+};
+
+/// Judges all pixels of a frame that was rendered from `scene`.
+[[nodiscard]] Verdict judge(const host::CompiledScene& scene, const host::Frame& frame,
+                            host::Numeric numeric);
+
+}  // namespace pxm::test
