@@ -133,7 +133,7 @@ TEST_P(GoldenPicture, is_the_same_in_every_bit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Case, GoldenPicture, testing::ValuesIn(golden_cases()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& test_case) { return test_case.param; });
 
 }  // namespace
 }  // namespace pxm::host

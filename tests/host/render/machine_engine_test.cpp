@@ -5,6 +5,7 @@
 
 #include "host/output/statistics_json.hpp"
 #include "pxm/frame_buffer.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/render_text.hpp"
 
 namespace pxm::host {
@@ -12,6 +13,7 @@ namespace {
 
 using test::on_machine;
 using test::render_text;
+using test::same_picture;
 using test::tetra_text;
 
 /// A point light, two weightings' worth of work: shading, lights and boxes besides the descent.
@@ -112,22 +114,11 @@ TEST(MachineEngine, a_cost_model_changes_the_cycles_and_not_the_picture) {
 
 // machine-facts, Sec. 5: five minutes a picture are some 73 000 instructions a pixel. A coarse band
 // around that, not a validation.
-TEST(MachineEngine, a_scene_like_the_five_solids_lies_in_the_band_of_five_minutes) {
-    const std::string solids = std::string(tetra_text) + R"(
-ifs octa {
-    newmap scale: 0.5 translate: 0.5,0,0   newmap scale: 0.5 translate: -0.5,0,0
-    newmap scale: 0.5 translate: 0,0.5,0   newmap scale: 0.5 translate: 0,-0.5,0
-    newmap scale: 0.5 translate: 0,0,0.5   newmap scale: 0.5 translate: 0,0,-0.5
-}
-object a { ifs: tetra translate: -2.2,0,0 }
-object b { ifs: octa }
-object c { ifs: tetra translate: 2.2,0,0 }
-object d { ifs: octa translate: -1.1,0,2 }
-object e { ifs: tetra translate: 1.1,0,2 }
-)";
+TEST(MachineEngine, the_five_solids_lie_in_the_band_of_five_minutes) {
     RenderRequest request = on_machine("964dX", 640, 480);
-    request.overrides.crop = CropWindow{240, 180, 400, 220};
-    const RenderResult result = render_text(solids, request);
+    request.scene_path = test::source_dir + "/scenes/five_solids.pxm";
+    request.overrides.crop = CropWindow{288, 200, 352, 232};
+    const RenderResult result = render(request, {});
     const auto cycles = node_cycles(result);
     const double per_pixel =
         static_cast<double>(std::accumulate(cycles.begin(), cycles.end(), std::uint64_t{0})) /
