@@ -16,3 +16,4 @@ foreach(property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTOR
         set_target_properties(OpenImageIO::OpenImageIO PROPERTIES ${property} "${folders}")
     endif()
 endforeach()
+find_path(PXM_RANDOM123 Random123/philox.h REQUIRED)  # counter-based random numbers, headers only

@@ -7,6 +7,21 @@
 
 namespace pxm::kernels {
 
+/// Through the eye and a point of the picture's plane, given from the eye.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Ray<Real> perspective_ray(Node& node, const Vec3<Real>& eye,
+                                        const Vec3<Real>& on_plane) noexcept {
+    return {eye, normalize(node, on_plane), Real(0)};
+}
+
+/// Through a point of the picture's plane, along the view.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Ray<Real> orthographic_ray(Node& node, const Vec3<Real>& eye,
+                                         const Vec3<Real>& on_plane) noexcept {
+    using Header = HeaderRecord<real_words<Real>>;
+    return {add_scaled(node, eye, Real(1), on_plane), read_vector(node, Header::forward), Real(0)};
+}
+
 /// The eye's ray through the centre of pixel (x, y); its direction is a unit vector.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Ray<Real> eye_ray(Node& node, std::uint32_t x, std::uint32_t y) noexcept {
@@ -23,11 +38,8 @@ template <NodeLike Node, class Real = typename Node::Real>
     on_plane = add_scaled(node, on_plane, column, read_vector(node, Header::across));
     on_plane = add_scaled(node, on_plane, row, read_vector(node, Header::down));
     const auto projection = static_cast<Projection>(node.shape_word(Header::projection));
-    if (projection == Projection::orthographic) {
-        return {add_scaled(node, eye, Real(1), on_plane), read_vector(node, Header::forward),
-                Real(0)};
-    }
-    return {eye, normalize(node, on_plane), Real(0)};
+    if (projection == Projection::orthographic) return orthographic_ray(node, eye, on_plane);
+    return perspective_ray(node, eye, on_plane);
 }
 
 }  // namespace pxm::kernels

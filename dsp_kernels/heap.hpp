@@ -1,8 +1,8 @@
-// The heap of cells (Def. 12.1, Erratum 1: the top is the smallest), bounded, in z-buffer memory.
-// A full heap loses nothing: the largest cell is dropped and the smallest cell ever dropped, D, is
-// remembered. What is not before D need not be kept, so every cell in the heap is before D, and
-// when the heap runs empty the search goes on from D (dsp_kernels/next_after.hpp). Node code: no
-// allocation, no exceptions.
+// The heap of cells (Def. 12.1, Erratum 1: the top is the smallest), bounded: entries in z-buffer
+// memory, their order in fast memory. A full heap loses nothing: the largest cell is dropped and
+// the smallest cell ever dropped, D, is remembered. What is not before D need not be kept, so every
+// cell in the heap is before D, and when the heap runs empty the search goes on from D
+// (dsp_kernels/next_after.hpp). Node code: no allocation, no exceptions.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class Heap {
   public:
     using Entry = Cell<typename Node::Real>;
 
-    /// Lays the heap over the node's z-buffer memory.
+    /// Lays the heap over the node's memories.
     explicit Heap(Node& node) noexcept
         : node_(node),
           order_(node.heap_order()),
@@ -25,7 +25,6 @@ class Heap {
           capacity_(static_cast<std::uint32_t>(node.heap_capacity())) {
         node.tally(Operation::loop_turn, capacity_);
         node.tally(Operation::integer, capacity_);
-        node.tally(Operation::heap_sequential, capacity_);
         for (std::uint32_t i = 0; i < capacity_; ++i) order_[i] = i;
     }
 
@@ -91,13 +90,12 @@ class Heap {
         move_cell(node_, dropped_, cell);
     }
     void swap(std::uint32_t a, std::uint32_t b) noexcept {
-        node_.tally(Operation::heap_scattered, 2);
         const std::uint32_t slot = order_[a];
         order_[a] = order_[b];
         order_[b] = slot;
     }
-    /// Compares the cell at a place with one whose key is at hand: its number and its key are read.
-    void tally_look() noexcept { node_.tally(Operation::heap_scattered, 2); }
+    /// For the key of a cell that is compared with one whose key is at hand.
+    void tally_look() noexcept { node_.tally(Operation::heap_scattered, 1); }
     void tally_slow_words(const Entry& cell) noexcept {
         node_.tally(Operation::heap_scattered, 1);
         node_.tally(Operation::heap_sequential, cell_words(cell) - 1);

@@ -130,6 +130,13 @@ template <NodeLike Node, class Real = typename Node::Real>
     }
 }
 
+/// The unit vector from a point to a light that stands at `place`.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Vec3<Real> direction_to_point_light(Node& node, const Vec3<Real>& point,
+                                                  const Vec3<Real>& place) noexcept {
+    return normalize(node, subtract(node, place, point));
+}
+
 /// The unit vector from a point to a light, whatever its kind (Eq. 17.2).
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Vec3<Real> direction_to_light(Node& node, const Vec3<Real>& point,
@@ -140,7 +147,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     if (static_cast<LightKind>(node.shape_word(light + Light::kind)) == LightKind::directional) {
         return place;
     }
-    return normalize(node, subtract(node, place, point));
+    return direction_to_point_light(node, point, place);
 }
 
 /// Lambert's law (Eq. 17.1) with the total normal, at a point of the world.

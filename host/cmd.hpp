@@ -16,6 +16,8 @@ using CommandAction = std::function<ExitCode()>;
 
 /// `pxm render SCENE [-o OUT]`.
 [[nodiscard]] CommandAction add_render_command(CLI::App& app);
+/// `pxm points SCENE -n N -o OUT.ply`.
+[[nodiscard]] CommandAction add_points_command(CLI::App& app);
 /// `pxm compare A B`.
 [[nodiscard]] CommandAction add_compare_command(CLI::App& app);
 /// `pxm models`.

@@ -79,10 +79,12 @@ std::string default_out(const std::string& scene) {
 /// Throws if one file would be written over another.
 void require_three_files(const std::string& scene, const std::string& out,
                          const std::string& stats) {
-    const auto same = [](const std::string& a, const std::string& b) {
+    const auto place = [](const std::string& path) {
         std::error_code error;
-        return std::filesystem::weakly_canonical(a, error) ==
-               std::filesystem::weakly_canonical(b, error);
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+    };
+    const auto same = [&](const std::string& a, const std::string& b) {
+        return place(a) == place(b);
     };
     const auto refuse = [](const std::string& path, const char* what) {
         throw Error(ExitCode::command_line, fmt::format("{} would be written over {}", path, what));

@@ -44,6 +44,16 @@ class Machine {
         return std::nullopt;
     }
 
+    /// Loads a program of so many bytes, constants included, with room for its stack, into every
+    /// node's fast memory. The instructions themselves run on the host.
+    [[nodiscard]] std::optional<Fault> load_program(std::int64_t program_bytes,
+                                                    std::int64_t stack_bytes) {
+        for (Node<Real>& node : nodes_) {
+            if (auto fault = node.load_program(program_bytes, stack_bytes)) return fault;
+        }
+        return std::nullopt;
+    }
+
     /// Writes the same words into every node's back frame buffer, from address 0 on.
     [[nodiscard]] std::optional<Fault> broadcast(std::span<const std::uint32_t> words) {
         const auto bytes = static_cast<std::int64_t>(words.size_bytes());
@@ -57,7 +67,8 @@ class Machine {
         return std::nullopt;
     }
 
-    /// Sets every node's heap up in its z-buffer memory.
+    /// Sets every node's heap up, entries in z-buffer memory and their order in fast memory. Load
+    /// the program first.
     [[nodiscard]] std::optional<Fault> reserve_heap(int capacity, std::int64_t entry_bytes) {
         for (Node<Real>& node : nodes_) {
             if (auto fault = node.reserve_heap(capacity, entry_bytes)) return fault;

@@ -45,10 +45,11 @@ struct Memory {
 };
 
 inline constexpr std::array<Memory, 5> node_memories{{
-    {"fast memory", fast_memory_bytes, Certainty::seen, "program, constants and stack"},
+    {"fast memory", fast_memory_bytes, Certainty::seen,
+     "program, constants, stack, order of the heap"},
     {"front buffer", bank_bytes, Certainty::derived, "the picture, 32 bits a pixel"},
     {"back buffer", bank_bytes, Certainty::derived, "the shape database"},
-    {"z-buffer", zbuffer_part_bytes, Certainty::assumed, "the heap"},
+    {"z-buffer", zbuffer_part_bytes, Certainty::assumed, "entries of the heap"},
     {"texture", texture_part_bytes, Certainty::assumed, "2-D textures"},
 }};
 

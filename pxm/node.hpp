@@ -22,6 +22,11 @@ struct NodeId {
     bool operator==(const NodeId&) const = default;
 };
 
+/// Fast memory that the order of a heap of so many entries takes: a slot number of four bytes each.
+[[nodiscard]] constexpr std::int64_t heap_order_bytes(std::int64_t capacity) noexcept {
+    return capacity * 4;
+}
+
 /// A pixel node that computes with Real: dsp32::Float, float or double.
 template <class Real_>
 class Node {
@@ -53,22 +58,33 @@ class Node {
         return decode<Real>(words);
     }
 
-    // --- the heap in z-buffer memory: order words first, then the entries ------------------------
+    // --- fast memory: the program, the heap's order, and the stack at the end --------------------
+    /// Takes the place of a program with its constants, and of its stack; a Fault if there is not
+    /// as much. Preconditions: whole words, and no heap is reserved yet.
+    [[nodiscard]] std::optional<Fault> load_program(std::int64_t program_bytes,
+                                                    std::int64_t stack_bytes) {
+        program_bytes_ = program_bytes;
+        stack_bytes_ = stack_bytes;
+        return reserve_fast_memory(0);
+    }
+
+    // --- the heap: its entries in z-buffer memory, their order in fast memory --------------------
     [[nodiscard]] int heap_capacity() const noexcept { return heap_capacity_; }
     [[nodiscard]] std::uint32_t* heap_order() noexcept {
-        return zbuffer_.records<std::uint32_t>(0);
+        return fast_memory_.records<std::uint32_t>(program_bytes_);
     }
     template <class Record>
     [[nodiscard]] Record* heap_records() noexcept {
-        return zbuffer_.records<Record>(heap_order_bytes(heap_capacity_));
+        return zbuffer_.records<Record>(0);
     }
-    /// Bytes a heap of so many entries takes.
+    /// Bytes of z-buffer memory that a heap of so many entries takes.
     [[nodiscard]] static constexpr std::int64_t heap_bytes(std::int64_t capacity,
                                                            std::int64_t entry_bytes) noexcept {
-        return heap_order_bytes(capacity) + capacity * entry_bytes;
+        return capacity * entry_bytes;
     }
-    /// Sets the heap up; a Fault if the z-buffer part is too small for it.
+    /// Sets the heap up; a Fault if the z-buffer part or the fast memory is too small for it.
     [[nodiscard]] std::optional<Fault> reserve_heap(int capacity, std::int64_t entry_bytes) {
+        if (auto full = reserve_fast_memory(heap_order_bytes(capacity))) return full;
         const std::int64_t bytes = heap_bytes(capacity, entry_bytes);
         if (!zbuffer_.reserve(bytes)) return fault(zbuffer_, bytes);
         heap_capacity_ = capacity;
@@ -76,6 +92,7 @@ class Node {
     }
 
     // --- banks -----------------------------------------------------------------------------------
+    [[nodiscard]] Bank& fast_memory() noexcept { return fast_memory_; }
     [[nodiscard]] Bank& front_buffer() noexcept { return front_buffer_; }
     [[nodiscard]] Bank& back_buffer() noexcept { return back_buffer_; }
     [[nodiscard]] Bank& zbuffer() noexcept { return zbuffer_; }
@@ -100,8 +117,10 @@ class Node {
     [[nodiscard]] const std::optional<Fault>& halted() const noexcept { return halted_; }
 
   private:
-    static constexpr std::int64_t heap_order_bytes(std::int64_t capacity) noexcept {
-        return (capacity * 4 + 7) / 8 * 8;
+    [[nodiscard]] std::optional<Fault> reserve_fast_memory(std::int64_t order_bytes) {
+        const std::int64_t bytes = program_bytes_ + order_bytes + stack_bytes_;
+        if (!fast_memory_.reserve(bytes)) return fault(fast_memory_, bytes);
+        return std::nullopt;
     }
     [[nodiscard]] Fault fault(const Bank& bank, std::int64_t wanted_bytes) const noexcept {
         return {index_, bank.name(), wanted_bytes, bank.limit_bytes()};
@@ -112,10 +131,13 @@ class Node {
 
     NodeId id_;
     int index_;
+    Bank fast_memory_{"fast memory", fast_memory_bytes};
     Bank front_buffer_{"front buffer", bank_bytes};
     Bank back_buffer_{"back buffer", bank_bytes};
     Bank zbuffer_{"z-buffer", zbuffer_part_bytes};
     Bank texture_{"texture", texture_part_bytes};
+    std::int64_t program_bytes_ = 0;
+    std::int64_t stack_bytes_ = 0;
     int heap_capacity_ = 0;
     std::uint32_t next_shape_ = 0xFFFF'FFFF;
     Tally tally_;

@@ -17,7 +17,7 @@ concept NodeLike = requires(N node, std::uint32_t address, Operation operation) 
     noexcept->std::same_as<std::uint32_t>;
     { node.shape_real(address) }
     noexcept->std::same_as<typename N::Real>;
-    /// Records in the z-buffer memory: entries of the heap, and their order.
+    /// Entries of the heap, in z-buffer memory, and their order, in fast memory.
     { node.template heap_records<std::uint32_t>() }
     noexcept->std::same_as<std::uint32_t*>;
     { node.heap_order() }

@@ -27,7 +27,7 @@ constexpr long budget_per_edge = 4;       // ... and more where there are many m
 constexpr long declared_budget = 1'000'000;  // ... for one declared volume
 constexpr int most_rounds = 3;
 constexpr long large_graph = 50'000;  // edges: a system of this size gets one round
-constexpr int most_moves = 40;  // of a ball's centre
+constexpr int most_moves = 40;        // of a ball's centre
 
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 

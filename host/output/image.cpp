@@ -93,6 +93,12 @@ void append(std::vector<float>& values, const PixelRecord& pixel, Aov aov) {
     throw Error(ExitCode::file, "cannot write " + path + ": " + why);
 }
 
+/// OpenImageIO's message about `beside`, told of `path`.
+std::string told_of(const std::string& path, const std::string& beside, std::string why) {
+    const auto at = why.find(beside);
+    return at == std::string::npos ? why : why.replace(at, beside.size(), path);
+}
+
 /// Writes to `beside`; messages name `path`.
 void write_pixels(const std::string& path, const std::string& beside, const OIIO::ImageSpec& spec,
                   OIIO::TypeDesc type, const void* pixels) {
@@ -100,7 +106,7 @@ void write_pixels(const std::string& path, const std::string& beside, const OIIO
     const auto output = OIIO::ImageOutput::create(beside);
     if (!output) cannot_write(path, OIIO::geterror());
     if (!output->open(beside, spec) || !output->write_image(type, pixels) || !output->close()) {
-        cannot_write(path, output->geterror());
+        cannot_write(path, told_of(path, beside, output->geterror()));
     }
 }
 

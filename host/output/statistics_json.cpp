@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "host/output/program_json.hpp"
 #include "pxm/cost.hpp"
 #include "pxm/model.hpp"
 
@@ -60,15 +61,6 @@ Json node_json(const NodeStatistics& node) {
             {"seconds", static_cast<double>(node.cycles) * instruction_seconds}};
 }
 
-/// `bytes` is null: no module has been measured.
-Json modules_json(const std::vector<ProgramModule>& modules) {
-    Json list = Json::array();
-    for (const ProgramModule& module : modules) {
-        list.push_back({{"name", module.name}, {"bytes", nullptr}, {"because", module.because}});
-    }
-    return list;
-}
-
 Json memory_json(const MemoryUse& use) {
     return {{"limit_bytes", use.limit_bytes}, {"used_bytes", use.used_bytes}};
 }
@@ -108,11 +100,9 @@ std::string statistics_json(const Statistics& s) {
                            {"hash", fmt::format("{:016x}", s.scene_block_hash)}};
     if (!s.machine) return json.dump(2) + "\n";
 
-    json["program"] = {{"limit_bytes", fast_memory_bytes},
-                       {"used_bytes", nullptr},
-                       {"modules", modules_json(s.program.modules)},
-                       {"left_out", modules_json(s.program.left_out)}};
-    json["memory"] = {{"front_buffer", memory_json(s.machine->front_buffer)},
+    json["program"] = program_json(s.program);
+    json["memory"] = {{"fast_memory", memory_json(s.machine->fast_memory)},
+                      {"front_buffer", memory_json(s.machine->front_buffer)},
                       {"back_buffer", memory_json(s.machine->back_buffer)},
                       {"zbuffer", memory_json(s.machine->zbuffer)},
                       {"texture", memory_json(s.machine->texture)}};

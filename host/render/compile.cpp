@@ -10,11 +10,11 @@
 #include <optional>
 
 #include "host/fractal/bounds.hpp"
-#include "host/fractal/contraction.hpp"
 #include "host/fractal/lipschitz.hpp"
-#include "host/fractal/rifs.hpp"
+#include "host/fractal/proven_rifs.hpp"
 #include "host/render/view.hpp"
 #include "host/render/volumes.hpp"
+#include "host/scene/default_objects.hpp"
 
 namespace pxm::host {
 
@@ -23,6 +23,7 @@ namespace {
 constexpr double first_lift = 1e-4;  // thickness of lifted maps before the size of a pixel is known
 constexpr double least_lift = 1e-6;  // thinner would cost a float its digits
 constexpr double most_lift = 1e-2;   // coarser pixels do not make flat images thicker
+constexpr double largest_length = 1e100;  // world units: the square of more is no double
 constexpr glm::dvec3 base_color{0.9, 0.9, 0.9};
 
 /// An ifs block with what mathematics knows of it.
@@ -33,16 +34,6 @@ struct Fractal {
     Contraction contraction;
     std::vector<Bounds> bounds;  // empty until an object needs them
 };
-
-bool finite(const Affine& map) {
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            if (!std::isfinite(map.linear[i][j])) return false;
-        }
-        if (!std::isfinite(map.translation[i])) return false;
-    }
-    return true;
-}
 
 void lift_singular_maps(Fractal& fractal, double thickness) {
     for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
@@ -72,43 +63,14 @@ double squashed_extent(const Fractal& fractal) {
 
 /// Nothing if the block has an error.
 std::optional<Fractal> make_fractal(const IfsBlock& block, Diagnostics& diagnostics) {
+    auto proven = prove_rifs(block, diagnostics);
+    if (!proven) return std::nullopt;
     Fractal fractal;
-    Diagnostics own;
-    fractal.exact = build_rifs(block, own);
-    const bool broken = own.has_errors();
-    diagnostics.append(own);
-    if (broken) return std::nullopt;
-    for (std::size_t i = 0; i < block.maps.size(); ++i) {
-        if (finite(fractal.exact.maps[i])) continue;
-        diagnostics.error(block.maps[i].position,
-                          fmt::format("map \"{}\" of ifs \"{}\" is not finite",
-                                      fractal.exact.map_names[i], block.name));
-        return std::nullopt;
-    }
-    fractal.contraction = prove_contraction(fractal.exact);
-    if (fractal.contraction.proof == ContractionProof::none) {
-        diagnostics.error(block.position,
-                          fmt::format("ifs \"{}\" could not be shown to contract: {}", block.name,
-                                      fractal.contraction.obstacle));
-        return std::nullopt;
-    }
-    fractal.rifs = fractal.exact;
+    fractal.rifs = proven->rifs;
+    fractal.exact = std::move(proven->rifs);
+    fractal.contraction = proven->contraction;
     lift_singular_maps(fractal, first_lift);
     return fractal;
-}
-
-/// One object per ifs block where the scene has no object block.
-std::vector<ObjectBlock> objects_of(const Scene& scene) {
-    if (!scene.objects.empty()) return scene.objects;
-    std::vector<ObjectBlock> objects;
-    for (const IfsBlock& ifs : scene.ifs) {
-        ObjectBlock object;
-        object.name = ifs.name;
-        object.ifs = ifs.name;
-        object.ifs_position = object.position = ifs.position;
-        objects.push_back(object);
-    }
-    return objects;
 }
 
 /// An object on its way: its block, its fractal, its place in the world.
@@ -261,7 +223,9 @@ class Compiler {
         if (diagnostics_.has_errors()) return {};
         const std::vector<ObjectBlock> blocks = objects_of(scene_);
         std::vector<Placed> objects = place(blocks);
+        if (diagnostics_.has_errors()) return {};
         set_view(ball_around(objects));
+        if (diagnostics_.has_errors()) return {};
         lift_to_pixels(objects);
         for (const Placed& object : objects) add_object(object);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
@@ -288,6 +252,13 @@ class Compiler {
             Fractal& fractal = fractals_.at(*block.ifs);
             if (fractal.bounds.empty()) fractal.bounds = bound(fractal.rifs, fractal.contraction);
             objects.push_back({&block, &fractal, compose(block.commands)});
+            const Ball ball = objects.back().world_ball();
+            if (!(glm::length(ball.center) <= largest_length && ball.radius <= largest_length)) {
+                diagnostics_.error(block.position,
+                                   fmt::format("object \"{}\" is too large or too far away: it "
+                                               "reaches beyond {:g}",
+                                               block.name, largest_length));
+            }
         }
         return objects;
     }
@@ -296,7 +267,13 @@ class Compiler {
         const ImageBlock image = scene_.image.value_or(ImageBlock{});
         out_.size = image.size.value_or(PixelSize{});
         out_.crop = image.crop.value_or(CropWindow{0, 0, out_.size.columns, out_.size.rows});
-        view_ = make_view(scene_.camera.value_or(CameraBlock{}), out_.size, ball, zoom_);
+        const CameraBlock camera = scene_.camera.value_or(CameraBlock{});
+        view_ = make_view(camera, out_.size, ball, zoom_);
+        const double reach = glm::length(view_.eye) + view_.half_width;
+        if (!(reach <= largest_length && glm::length(view_.right) > 0.5)) {
+            diagnostics_.error(camera.position,
+                               "the camera's numbers are too large to compute with");
+        }
         out_.unit = power_of_two_near(ball.radius);
         out_.camera = compile_view(view_, out_.size, out_.unit);
     }

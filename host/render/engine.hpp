@@ -17,7 +17,9 @@ namespace pxm::host {
 struct EngineChoice {
     const Model* machine = nullptr;  // null: native
     Numeric numeric = Numeric::single;
-    int threads = 1;  // host threads, at least 1
+    int threads = 1;                 // host threads, at least 1
+    std::int64_t program_bytes = 0;  // what a node of the machine loads, constants included
+    std::int64_t stack_bytes = 0;
     CostModel costs = default_cost_model();
 };
 

@@ -1,10 +1,22 @@
 #include "host/render/link.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cassert>
+#include <optional>
+#include <set>
+
+#include "host/error.hpp"
+#include "host/render/module_table.hpp"
+#include "pxm/model.hpp"
+#include "pxm/node.hpp"
 
 namespace pxm::host {
 
 namespace {
+
+constexpr std::size_t named_parts = 4;  // of a program that does not fit
 
 bool any_volume(const CompiledScene& scene, kernels::Volume kind) {
     return std::ranges::any_of(scene.shapes, [kind](const CompiledShape& shape) {
@@ -18,21 +30,31 @@ bool any_light(const CompiledScene& scene, kernels::LightKind kind) {
                                [kind](const CompiledLight& light) { return light.kind == kind; });
 }
 
-}  // namespace
+std::int64_t measured_bytes(const std::string& name) {
+    const auto found = std::ranges::find(module_table, name, &MeasuredModule::name);
+    assert(found != module_table.end());
+    return found->bytes();
+}
 
-NodeProgram link(const CompiledScene& scene) {
-    NodeProgram program;
+void choose_modules(const CompiledScene& scene, NodeProgram& program) {
     const auto take = [&](const char* name, bool needed, const char* why, const char* why_not) {
-        (needed ? program.modules : program.left_out).push_back({name, needed ? why : why_not});
+        (needed ? program.modules : program.left_out)
+            .push_back({name, needed ? why : why_not, measured_bytes(name)});
     };
     const bool objects = !scene.objects.empty();
+    const bool perspective = scene.camera.projection == kernels::Projection::perspective;
     const bool polar = std::ranges::any_of(scene.shapes, [](const CompiledShape& shape) {
         return shape.lipschitz == kernels::Lipschitz::polar;
     });
     const bool lifted = std::ranges::any_of(scene.shapes, &CompiledShape::lifted);
+    take("pixel_program", true, "every node has pixels", "");
+    take("vectors", true, "every other module calls it", "");
     take("camera", true, "every pixel has an eye ray", "");
-    take("intersect", objects, "ifs objects", "no objects");
-    take("heap", objects, "ifs objects", "no objects");
+    take("perspective", perspective, "a perspective camera", "an orthographic camera");
+    take("orthographic", !perspective, "an orthographic camera", "a perspective camera");
+    take("intersect", true, "every ray looks for a cell", "");
+    take("heap", true, "where intersect keeps cells", "");
+    take("descend", objects, "ifs objects", "no objects");
     take("next_after", objects, "a heap may overflow", "no objects");
     take("sphere", any_volume(scene, kernels::Volume::sphere), "bounding spheres",
          "no bounding sphere");
@@ -41,9 +63,89 @@ NodeProgram link(const CompiledScene& scene) {
          "Lipschitz constants by product or determinant");
     take("flatness", lifted, "lifted singular maps", "no singular map");
     take("shade", objects, "objects are shaded", "no objects");
-    take("point_light", any_light(scene, kernels::LightKind::point), "point lights",
-         "directional lights only");
+    take("illuminate", objects, "objects are lit", "no objects");
+    take("point_light", objects && any_light(scene, kernels::LightKind::point), "point lights",
+         objects ? "directional lights only" : "no objects");
+}
+
+/// The deepest chain of calls from a function on, through modules that are in.
+class Stack {
+  public:
+    explicit Stack(const NodeProgram& program) : depth_(function_table.size()) {
+        for (const ProgramModule& module : program.modules) linked_.insert(module.name);
+    }
+
+    [[nodiscard]] std::int64_t depth(std::size_t function) {
+        if (!depth_[function]) {
+            const MeasuredFunction& measured = function_table[function];
+            const auto below = deepest_callee(measured);
+            depth_[function] = measured.stack_bytes + (below ? depth(*below) : 0);
+        }
+        return *depth_[function];
+    }
+    [[nodiscard]] std::vector<std::string> chain(std::size_t function) {
+        std::vector<std::string> names;
+        for (std::optional at = function; at; at = deepest_callee(function_table[*at])) {
+            names.emplace_back(function_table[*at].name);
+        }
+        return names;
+    }
+
+  private:
+    std::optional<std::size_t> deepest_callee(const MeasuredFunction& caller) {
+        std::optional<std::size_t> deepest;
+        for (const std::size_t callee : caller.calls) {
+            if (!linked_.contains(function_table[callee].module)) continue;
+            if (!deepest || depth(*deepest) < depth(callee)) deepest = callee;
+        }
+        return deepest;
+    }
+
+    std::set<std::string_view> linked_;
+    std::vector<std::optional<std::int64_t>> depth_;
+};
+
+}  // namespace
+
+std::int64_t NodeProgram::modules_bytes() const {
+    std::int64_t sum = 0;
+    for (const ProgramModule& module : modules) sum += module.bytes;
+    return sum;
+}
+
+std::int64_t NodeProgram::used_bytes() const {
+    return modules_bytes() + heap_order_bytes + stack_bytes;
+}
+
+NodeProgram link(const CompiledScene& scene) {
+    NodeProgram program;
+    choose_modules(scene, program);
+    const auto entry = std::ranges::find(function_table, entry_function, &MeasuredFunction::name);
+    const auto start = static_cast<std::size_t>(entry - function_table.begin());
+    Stack stack(program);
+    program.stack_bytes = stack.depth(start);
+    program.deepest_calls = stack.chain(start);
+    program.heap_order_bytes = heap_order_bytes(scene.heap);
     return program;
+}
+
+void require_fit(const NodeProgram& program, const std::string& model) {
+    if (program.used_bytes() <= fast_memory_bytes) return;
+    std::vector<std::pair<std::int64_t, std::string>> parts;
+    parts.emplace_back(program.heap_order_bytes, "the heap's order");
+    parts.emplace_back(program.stack_bytes, "the stack");
+    for (const ProgramModule& module : program.modules) {
+        parts.emplace_back(module.bytes, fmt::format("module \"{}\"", module.name));
+    }
+    std::ranges::stable_sort(parts, std::ranges::greater{}, &decltype(parts)::value_type::first);
+    std::string text = fmt::format(
+        "the node program does not fit the fast memory of the {}: {} bytes wanted, {} there\n"
+        "its largest parts: ",
+        model, program.used_bytes(), fast_memory_bytes);
+    for (std::size_t i = 0; i < named_parts; ++i) {
+        text += fmt::format("{}{} {} bytes", i == 0 ? "" : ", ", parts[i].second, parts[i].first);
+    }
+    throw Error(ExitCode::machine_limit, text);
 }
 
 }  // namespace pxm::host

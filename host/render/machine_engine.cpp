@@ -71,6 +71,7 @@ MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistic
         one.cycles = cycles(node.tally(), costs.table);
         statistics.tally.add(node.tally());
         statistics.nodes.push_back(one);
+        use(statistics.fast_memory, node.fast_memory());
         use(statistics.front_buffer, node.front_buffer());
         use(statistics.back_buffer, node.back_buffer());
         use(statistics.zbuffer, node.zbuffer());
@@ -91,6 +92,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     Machine<Real> machine(model);
     const int width = static_cast<int>(scene.size.columns);
     refuse(machine.open_frame(width, static_cast<int>(scene.size.rows)), model);
+    refuse(machine.load_program(choice.program_bytes, choice.stack_bytes), model);
     refuse(machine.broadcast(block), model);
     refuse(machine.reserve_heap(static_cast<int>(scene.heap), sizeof(kernels::Cell<Real>)), model);
     result.frame = Frame(scene.size, scene.crop);

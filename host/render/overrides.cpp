@@ -1,5 +1,6 @@
 // The command line wins over the scene.
 #include "host/render/render.hpp"
+#include "host/scene/default_objects.hpp"
 
 #include <fmt/format.h>
 
@@ -45,15 +46,7 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
     override_with(overrides.volume, render.volume);
     override_with(overrides.heap, render.heap);
     if (!overrides.levels) return;
-    if (scene.objects.empty()) {
-        for (const IfsBlock& ifs : scene.ifs) {
-            ObjectBlock object;
-            object.name = ifs.name;
-            object.ifs = ifs.name;
-            object.ifs_position = object.position = ifs.position;
-            scene.objects.push_back(object);
-        }
-    }
+    scene.objects = objects_of(scene);
     for (ObjectBlock& object : scene.objects) object.levels = overrides.levels;
 }
 

@@ -84,8 +84,10 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     PhaseClock clock;
     const Prepared prepared = prepare(request);
     const NodeProgram program = link(prepared.compiled);
-    const EngineChoice choice{request.machine, numeric_of(prepared, request), request.threads,
-                              request.costs};
+    if (request.machine) require_fit(program, std::string(request.machine->name));
+    const EngineChoice choice{request.machine,     numeric_of(prepared, request),
+                              request.threads,     program.modules_bytes(),
+                              program.stack_bytes, request.costs};
     EngineResult run = request.machine ? run_on_machine(prepared.compiled, choice, control)
                                        : run_natively(prepared.compiled, choice, control);
 

@@ -47,6 +47,7 @@ struct MachineStatistics {
     CostModel costs;
     Tally tally;  // of all nodes
     std::vector<NodeStatistics> nodes;
+    MemoryUse fast_memory;
     MemoryUse front_buffer;
     MemoryUse back_buffer;
     MemoryUse zbuffer;

@@ -31,16 +31,21 @@ CompiledVolume box(const glm::dvec3& low, const glm::dvec3& high) {
     return volume;
 }
 
+/// Whether a box has no thickness to speak of along an axis.
+bool flat_along(const Box& bounds, int axis) {
+    constexpr double flat = 1.0 / 1024;  // of the diagonal
+    return bounds.high[axis] - bounds.low[axis] < flat * glm::length(bounds.high - bounds.low);
+}
+
 /// A computed box. A flat attractor's box is given some thickness: where a ray crosses a box that
 /// has none, its interval is a point, and rounding would part it from its parent's.
 CompiledVolume computed_box(const Box& bounds) {
-    constexpr double flat = 1.0 / 1024;     // of the diagonal: thinner counts as flat
-    constexpr double thickness = 1.0 / 32;  // of the diagonal: what it becomes
-    const double diagonal = glm::length(bounds.high - bounds.low);
+    constexpr double thickness = 1.0 / 4;  // of the diagonal: a terminal cell's is p / 4
+    const glm::dvec3 size = bounds.high - bounds.low;
     glm::dvec3 margin{0.0};
-    for (int i = 0; i < 3; ++i) {
-        const double extent = bounds.high[i] - bounds.low[i];
-        if (extent < flat * diagonal) margin[i] = (thickness * diagonal - extent) / 2;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!flat_along(bounds, axis)) continue;
+        margin[axis] = (thickness * glm::length(size) - size[axis]) / 2;
     }
     return box(bounds.low - margin, bounds.high + margin);
 }
@@ -55,6 +60,10 @@ double mean_shadow(const Box& volume) {
 
 VolumeKind computed_kind(VolumeKind kind, const Bounds& outermost) {
     if (kind == VolumeKind::sphere || kind == VolumeKind::box) return kind;
+    // Spheres stay a pixel thick down to the last cell: curves and sheets edge on are not missed.
+    for (int axis = 0; axis < 3; ++axis) {
+        if (flat_along(outermost.box, axis)) return VolumeKind::sphere;
+    }
     return mean_shadow(outermost.ball) <= mean_shadow(outermost.box) ? VolumeKind::sphere
                                                                      : VolumeKind::box;
 }

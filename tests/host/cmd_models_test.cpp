@@ -35,10 +35,10 @@ TEST(CmdModels, prints_every_number_with_its_mark) {
 964dX      8 x 8 S    64 S   1280 x 1024 R      20480 D
 
 memory             bytes   every node's, in all models
-fast memory      36864 S   program, constants and stack
+fast memory      36864 S   program, constants, stack, order of the heap
 front buffer    262144 D   the picture, 32 bits a pixel
 back buffer     262144 D   the shape database
-z-buffer        131072 A   the heap
+z-buffer        131072 A   entries of the heap
 texture         131072 A   2-D textures
 
 one instruction cycle: 200 ns D

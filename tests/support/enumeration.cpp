@@ -121,9 +121,9 @@ std::vector<Enumeration::Ball> Enumeration::balls_of(const CompiledShape& shape)
                 if (round < ball_rounds) {
                     next[s].center += image / static_cast<double>(maps.size());
                 } else {
-                    next[s].radius = std::max(
-                        next[s].radius, glm::distance(image, balls[s].center) +
-                                            lipschitz_constant(map.map) * inner.radius);
+                    next[s].radius =
+                        std::max(next[s].radius, glm::distance(image, balls[s].center) +
+                                                     lipschitz_constant(map.map) * inner.radius);
                 }
             }
         }

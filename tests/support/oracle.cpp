@@ -207,8 +207,8 @@ Oracle::Cell Oracle::outermost(int object) const {
 Oracle::Cell Oracle::inside(int object, const Cell& cell, int map) const {
     const auto m = static_cast<std::size_t>(map);
     const CompiledMap& next = shape_of(object).maps[m];
-    const auto shape = static_cast<std::size_t>(
-        scene_.objects[static_cast<std::size_t>(object)].shape);
+    const auto shape =
+        static_cast<std::size_t>(scene_.objects[static_cast<std::size_t>(object)].shape);
     return make_cell(object, then(next.map, cell.place), cell.product * map_lips_[shape][m],
                      next.follow_set);
 }

@@ -87,7 +87,7 @@ class Oracle {
     std::vector<Cell> cells_;           // the objects' outermost cells first
     std::vector<double> object_sizes_;  // diameter of the outermost volume by the exact constant
     std::vector<std::vector<double>> map_lips_;  // per shape and map: Lip w
-    long visited_ = 0;                  // cells met by the current ray
+    long visited_ = 0;                           // cells met by the current ray
 };
 
 }  // namespace pxm::test

@@ -13,6 +13,7 @@ using namespace host;
 namespace {
 
 constexpr int reported = 5;
+constexpr double rounding = 1e-9;  // of p
 constexpr double color_tolerance = 1.0 / 255;
 constexpr double share_single = 0x1p-20;  // of an object's diameter: p never falls below
 constexpr double share_twice = 0x1p-48;
@@ -52,44 +53,45 @@ std::string text_of(const CompiledScene& scene, const TerminalCell& cell) {
 class Referee {
   public:
     Referee(const CompiledScene& scene, Numeric numeric)
-        : scene_(scene),
-          oracle_(scene, numeric == Numeric::twice ? share_twice : share_single) {}
+        : scene_(scene), oracle_(scene, numeric == Numeric::twice ? share_twice : share_single) {}
 
     void look_at(long x, long y, const PixelRecord& pixel) {
         const Sight ray = oracle_.sight(x, y);
         const std::vector<TerminalCell> cells = oracle_.look(ray);
         ++verdict_.pixels;
-        verdict_.hits += cells.empty() ? 0 : 1;
         if (cells.empty()) {
-            const bool right = is_miss(pixel);
-            count(right, right);
-            if (right) check_color(x, y, pixel, scene_.background);
-            if (!right) report(x, y, pixel, "a miss", "");
+            look_at_miss(x, y, pixel);
             return;
         }
-        const bool same = shows(scene_, pixel, cells.front());
-        const bool admissible = same || is_admissible(pixel, cells);
-        count(same, admissible);
-        if (same) check_color(x, y, pixel, oracle_.appearance(ray, cells.front()).color);
-        if (!same) {
-            report(x, y, pixel, text_of(scene_, cells.front()), admissible ? " (admissible)" : "");
+        ++verdict_.hits;
+        const TerminalCell& first = cells.front();
+        const auto shown = std::ranges::find_if(
+            cells, [&](const TerminalCell& cell) { return shows(scene_, pixel, cell); });
+        const double p = oracle_.pixel_size(first.object, first.key);
+        const double behind = shown == cells.end() ? INFINITY : (shown->key - first.key) / p;
+        if (behind <= 1) {
+            ++verdict_.admissible;
+            check_color(x, y, pixel, oracle_.appearance(ray, *shown).color);
         }
+        if (shown == cells.begin()) {
+            ++verdict_.same;
+            return;
+        }
+        verdict_.tied += behind <= rounding ? 1 : 0;
+        report(x, y, pixel, text_of(scene_, first), behind);
     }
 
     Verdict take() { return std::move(verdict_); }
 
   private:
-    /// A terminal cell that the ray meets, and none lies more than one p nearer.
-    bool is_admissible(const PixelRecord& pixel, const std::vector<TerminalCell>& cells) const {
-        const auto shown = std::ranges::find_if(
-            cells, [&](const TerminalCell& cell) { return shows(scene_, pixel, cell); });
-        return shown != cells.end() &&
-               shown->key - cells.front().key <=
-                   oracle_.pixel_size(cells.front().object, cells.front().key);
-    }
-    void count(bool same, bool admissible) {
-        verdict_.same += same ? 1 : 0;
-        verdict_.admissible += admissible ? 1 : 0;
+    void look_at_miss(long x, long y, const PixelRecord& pixel) {
+        if (!is_miss(pixel)) {
+            report(x, y, pixel, "a miss", INFINITY);
+            return;
+        }
+        ++verdict_.same;
+        ++verdict_.admissible;
+        check_color(x, y, pixel, scene_.background);
     }
     void check_color(long x, long y, const PixelRecord& pixel, const glm::dvec3& color) {
         if (same_color(pixel, color)) return;
@@ -99,11 +101,12 @@ class Referee {
             pixel.color[0], pixel.color[1], pixel.color[2], color.x, color.y, color.z);
     }
     void report(long x, long y, const PixelRecord& pixel, const std::string& expected,
-                const std::string& remark) {
+                double behind) {
         if (++reports_ > reported) return;
-        verdict_.report +=
-            fmt::format("pixel {},{}: object {} level {} hash {:06x} z {:.9g}; by the oracle {}{}\n",
-                        x, y, pixel.object, pixel.level, pixel.word, pixel.z, expected, remark);
+        verdict_.report += fmt::format(
+            "pixel {},{}: object {} level {} hash {:06x} z {:.9g}, {:.3g} p behind; by the oracle "
+            "{}\n",
+            x, y, pixel.object, pixel.level, pixel.word, pixel.z, behind, expected);
     }
 
     const CompiledScene& scene_;

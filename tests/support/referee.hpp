@@ -17,12 +17,14 @@ struct Verdict {
     long pixels = 0;
     long hits = 0;          // by the oracle
     long same = 0;          // the same cell (or a miss by both), with the same level and z
+    long tied = 0;          // another terminal cell whose key differs by rounding only
     long admissible = 0;    // the same, or another that decision 4 admits
-    long wrong_colors = 0;  // of pixels that show the same cell: colour off by more than 1/255
+    long wrong_colors = 0;  // of admissible pixels: off by more than 1/255 for the cell shown
     std::string report;     // the first few disagreements: pixel, both words and keys
 
+    /// Ties are cells that coincide, or whose faces do: there rounding decides.
     [[nodiscard]] double same_share() const {
-        return static_cast<double>(same) / static_cast<double>(pixels);
+        return static_cast<double>(same + tied) / static_cast<double>(pixels);
     }
     [[nodiscard]] double admissible_share() const {
         return static_cast<double>(admissible) / static_cast<double>(pixels);

@@ -183,11 +183,11 @@ TEST(MachineEngine, a_scene_too_large_for_the_back_buffer_is_a_fault) {
 
 TEST(MachineEngine, a_heap_too_large_for_the_z_buffer_is_a_fault) {
     RenderRequest request = on_machine("964dX", 16, 16);
-    request.overrides.heap = 500;
+    request.overrides.heap = 415;  // 316 bytes each
     EXPECT_EQ(fault_of(tetra_text, request),
-              "5: the z-buffer of node 0 of the 964dX is too small: 160000 bytes wanted, "
+              "5: the z-buffer of node 0 of the 964dX is too small: 131140 bytes wanted, "
               "131072 there");
-    request.overrides.heap = 409;  // 320 bytes each
+    request.overrides.heap = 414;
     EXPECT_EQ(fault_of(tetra_text, request), "");
 }
 
@@ -197,7 +197,7 @@ TEST(MachineEngine, memories_in_use_are_told) {
     EXPECT_EQ(machine.front_buffer.used_bytes, 8 * 6 * 4);
     EXPECT_EQ(machine.back_buffer.used_bytes,
               static_cast<std::int64_t>(result.statistics.scene_block_words) * 4);
-    EXPECT_EQ(machine.zbuffer.used_bytes, 256 * 320);
+    EXPECT_EQ(machine.zbuffer.used_bytes, 256 * 316);
     EXPECT_EQ(machine.zbuffer.limit_bytes, zbuffer_part_bytes);
     EXPECT_EQ(machine.texture.used_bytes, 0);
     EXPECT_EQ(machine.texture.limit_bytes, texture_part_bytes);

@@ -1,0 +1,28 @@
+// What the node program does with a finished pixel, as the machine engine does it for the nodes
+// (host/render/machine_engine.cpp): four bytes into the front frame buffer.
+#pragma once
+
+#include "dsp_kernels/modules/measured_node.hpp"
+#include "dsp_kernels/pixel_program.hpp"
+
+namespace pxm::kernels {
+
+/// Stores the node's own pixels, one after the other.
+struct PixelStore {
+    Node& node;
+    std::uint32_t& pixel;  // counts the node's own pixels
+
+    [[nodiscard]] static std::uint32_t byte(float v) noexcept {
+        const float clamped = v < 0 ? 0 : 1 < v ? 1 : v;
+        return static_cast<std::uint32_t>(clamped * 255.0F + 0.5F);
+    }
+    bool operator()(std::uint32_t, std::uint32_t, const PixelResult<float>& result) const noexcept {
+        const Vec3<float>& color = result.color;
+        const std::uint32_t alpha = result.found.outcome == Outcome::miss ? 0 : 255;
+        node.write_pixel(pixel++,
+                         byte(color.x) << 24 | byte(color.y) << 16 | byte(color.z) << 8 | alpha);
+        return true;
+    }
+};
+
+}  // namespace pxm::kernels

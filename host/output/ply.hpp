@@ -1,0 +1,31 @@
+// Point clouds as binary PLY, written as a stream: any number of points in constant memory.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace pxm::host {
+
+/// Writes `count` points: x y z as 32-bit floats, red green blue as bytes (sRGB), little endian.
+class PlyWriter {
+  public:
+    /// Throws Error(ExitCode::file), as do the other functions.
+    PlyWriter(const std::string& path, std::uint64_t count, const std::string& comment);
+
+    /// `color` is linear, 0..1.
+    void add(const glm::dvec3& place, const glm::dvec3& color);
+    /// Writes what is left. Precondition: `count` points were added.
+    void finish();
+
+  private:
+    void flush();
+
+    std::string path_;
+    std::ofstream file_;
+    std::vector<char> buffer_;
+};
+
+}  // namespace pxm::host

@@ -1,0 +1,41 @@
+// The laws of picture_test.cpp on images with more pixels, and for the numbers of the machine.
+#include <gtest/gtest.h>
+
+#include "tests/support/compile_text.hpp"
+#include "tests/support/example_scenes.hpp"
+#include "tests/support/referee.hpp"
+
+namespace pxm::test {
+namespace {
+
+using namespace host;
+
+class LargerPicture : public testing::TestWithParam<Example> {};
+
+TEST_P(LargerPicture, is_the_oracles_in_double_and_admissible_in_float_and_dsp32) {
+    const CompiledScene scene = compile_text(GetParam().text);
+    const Verdict twice =
+        judge(scene, render_natively(scene, Numeric::twice).frame, Numeric::twice);
+    EXPECT_GE(twice.same_share(), 0.999) << twice.report;
+    EXPECT_GE(twice.admissible_share(), 0.999) << twice.report;
+    EXPECT_EQ(twice.wrong_colors, 0) << twice.report;
+    for (const Numeric numeric : {Numeric::single, Numeric::dsp32}) {
+        const Verdict verdict = judge(scene, render_natively(scene, numeric).frame, numeric);
+        EXPECT_GE(verdict.admissible_share(), 0.999) << verdict.report;
+        EXPECT_LE(static_cast<double>(verdict.wrong_colors),
+                  0.001 * static_cast<double>(verdict.pixels))
+            << verdict.report;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, LargerPicture, testing::ValuesIn(example_scenes("64,48")),
+                         [](const testing::TestParamInfo<Example>& info) {
+                             std::string name = info.param.name;
+                             for (char& c : name) {
+                                 if (c == '-' || c == '.') c = '_';
+                             }
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace pxm::test

@@ -1,0 +1,69 @@
+// The engines show the picture that the definition says (docs/design.md, decision 4), on small
+// images of every example scene; picture_slow_test.cpp has larger ones.
+#include <gtest/gtest.h>
+
+#include "tests/support/compile_text.hpp"
+#include "tests/support/example_scenes.hpp"
+#include "tests/support/referee.hpp"
+
+namespace pxm::test {
+namespace {
+
+using namespace host;
+
+class Picture : public testing::TestWithParam<Example> {
+  protected:
+    const CompiledScene scene_ = compile_text(GetParam().text);
+
+    Verdict verdict(Numeric numeric) const {
+        return judge(scene_, render_natively(scene_, numeric).frame, numeric);
+    }
+};
+
+TEST_P(Picture, in_double_is_the_oracles) {
+    const Verdict verdict = this->verdict(Numeric::twice);
+    EXPECT_GT(verdict.hits, 0);
+    EXPECT_GE(verdict.same_share(), 0.999) << verdict.report;
+    EXPECT_EQ(verdict.admissible, verdict.pixels) << verdict.report;
+    EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
+}
+
+TEST_P(Picture, in_float_is_admissible) {
+    const Verdict verdict = this->verdict(Numeric::single);
+    EXPECT_GE(verdict.admissible_share(), 0.999) << verdict.report;
+    EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
+}
+
+std::string name_of(const testing::TestParamInfo<Example>& info) {
+    std::string name = info.param.name;
+    for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, Picture, testing::ValuesIn(example_scenes("20,15")), name_of);
+
+TEST(Referee, rejects_a_frame_with_another_cell_depth_colour_or_a_hole) {
+    const CompiledScene scene = compile_text(scene_of("tetra", "", "size: 20,15"));
+    const Frame frame = render_natively(scene, Numeric::twice).frame;
+    const Verdict right = judge(scene, frame, Numeric::twice);
+    ASSERT_EQ(right.same, right.pixels) << right.report;
+    ASSERT_EQ(right.wrong_colors, 0) << right.report;
+    const auto hit = std::ranges::find_if(frame.pixels,
+                                          [](const PixelRecord& pixel) { return pixel.alpha > 0; });
+    ASSERT_NE(hit, frame.pixels.end());
+    const auto inadmissible = [&](const auto& change) {
+        Frame wrong = frame;
+        change(wrong.pixels[static_cast<std::size_t>(hit - frame.pixels.begin())]);
+        const Verdict verdict = judge(scene, wrong, Numeric::twice);
+        return verdict.pixels - verdict.admissible + verdict.wrong_colors;
+    };
+    EXPECT_EQ(inadmissible([](PixelRecord& pixel) { pixel.word ^= 1; }), 1);
+    EXPECT_EQ(inadmissible([](PixelRecord& pixel) { ++pixel.level; }), 1);
+    EXPECT_EQ(inadmissible([](PixelRecord& pixel) { pixel.object = 1; }), 1);
+    EXPECT_EQ(inadmissible([](PixelRecord& pixel) { pixel.z *= 1.01F; }), 1);
+    EXPECT_EQ(inadmissible([](PixelRecord& pixel) { pixel.color[1] += 0.01F; }), 1);
+    EXPECT_EQ(inadmissible([](PixelRecord& pixel) { pixel = {}; }), 1);
+}
+
+}  // namespace
+}  // namespace pxm::test
