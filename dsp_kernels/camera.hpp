@@ -27,8 +27,10 @@ template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Ray<Real> eye_ray(Node& node, std::uint32_t x, std::uint32_t y) noexcept {
     using Header = HeaderRecord<real_words<Real>>;
     constexpr Real half = from_double<Real>(0.5);
+    node.tally(Operation::call, 1);
     node.tally(Operation::multiply_add, 2);
-    node.tally(Operation::integer, 3);
+    node.tally(Operation::to_float, 2);
+    node.tally(Operation::integer, 1);
     const Real column = from_double<Real>(static_cast<double>(x)) + half;
     const Real row = from_double<Real>(static_cast<double>(y)) + half;
     const Vec3<Real> eye = read_vector(node, Header::eye);

@@ -27,12 +27,24 @@ struct Cell {
     CellWord word;                 // only the part in use is kept
 };
 
+/// Words of a cell that are kept.
+template <class Real>
+[[nodiscard]] std::uint32_t cell_words(const Cell<Real>& cell) noexcept {
+    return static_cast<std::uint32_t>(offsetof(Cell<Real>, word) / 4) +
+           CellWord::used(cell.level, cell.bits);
+}
+
 /// Copies a cell, of its word only the part in use.
 template <class Real>
 void copy_cell(Cell<Real>& to, const Cell<Real>& from) noexcept {
-    constexpr std::size_t fixed_bytes = offsetof(Cell<Real>, word);
-    std::memcpy(static_cast<void*>(&to), &from,
-                fixed_bytes + 4 * CellWord::used(from.level, from.bits));
+    std::memcpy(static_cast<void*>(&to), &from, std::size_t{4} * cell_words(from));
+}
+
+/// The same, of a program that pays for it: an instruction moves a word.
+template <NodeLike Node, class Real = typename Node::Real>
+void move_cell(Node& node, Cell<Real>& to, const Cell<Real>& from) noexcept {
+    node.tally(Operation::integer, cell_words(from));
+    copy_cell(to, from);
 }
 
 /// The order in which cells are searched and shown: (key, object, word).
@@ -42,6 +54,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     if (a.key < b.key) return true;
     if (b.key < a.key) return false;
     node.tally(Operation::integer, 2U + CellWord::used(a.level, a.bits));
+    node.tally(Operation::heap_sequential, 1U + CellWord::used(a.level, a.bits));  // one of the two
     if (a.object != b.object) return a.object < b.object;
     return word_before(a.word, a.level, b.word, b.level, a.bits);
 }

@@ -69,7 +69,7 @@ void child_cell(Node& node, const Search<Real>& search, const Cell<Real>& parent
     using Object = ObjectRecord<real_words<Real>>;
     child.ray = transform_ray(node, parent.ray, read_affine(node, map + Map::inverse));
     node.tally(Operation::multiply_add, 1);
-    node.tally(Operation::integer, 8);
+    node.tally(Operation::integer, 8U + CellWord::used(parent.level, parent.bits));
     child.constant = parent.constant * node.shape_real(map + Map::constant);
     child.object = parent.object;
     child.follow_set = node.shape_word(map + Map::follow_set);
@@ -99,6 +99,7 @@ template <NodeLike Node>
     constexpr std::uint32_t R = real_words<typename Node::Real>;
     const std::uint32_t list = follow_set + FollowSetRecord<R>::maps;
     const std::uint32_t count = node.shape_word(follow_set + FollowSetRecord<R>::map_count);
+    node.tally(Operation::call, 1);
     std::uint32_t low = 0;
     std::uint32_t high = count;
     while (low < high) {
@@ -124,7 +125,7 @@ template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Ending ending(Node& node, const Search<Real>& search,
                             const Cell<Real>& cell) noexcept {
     using Object = ObjectRecord<real_words<Real>>;
-    node.tally(Operation::integer, 2);
+    node.tally(Operation::integer, 4);
     if (cell.level == node.shape_word(cell.object + Object::levels)) return Ending::terminal;
     node.tally(Operation::multiply_add, 1);
     node.tally(Operation::compare_branch, 1);

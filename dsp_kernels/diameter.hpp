@@ -22,12 +22,14 @@ struct Symmetric {
 /// entries.
 template <NodeLike Node, class Real = typename Node::Real>
 void jacobi_rotate(Node& node, Real& app, Real& aqq, Real& apq, Real& arp, Real& arq) noexcept {
-    node.tally(Operation::compare_branch, 2);
+    node.tally(Operation::select, 1);
+    node.tally(Operation::compare_branch, 1);
     if (!(Real(0) < absolute(apq))) return;
+    node.tally(Operation::compare_branch, 1);
     node.tally(Operation::divide, 2);
     node.tally(Operation::square_root, 1);
-    node.tally(Operation::normalize, 1);
-    node.tally(Operation::multiply_add, 14);
+    node.tally(Operation::reciprocal_square_root, 1);
+    node.tally(Operation::multiply_add, 12);
     const Real theta = (aqq - app) / (apq + apq);
     const Real root = square_root(theta * theta + Real(1));
     const Real t = Real(1) / (theta < Real(0) ? theta - root : theta + root);
@@ -46,7 +48,7 @@ void jacobi_rotate(Node& node, Real& app, Real& aqq, Real& apq, Real& arp, Real&
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Real largest_singular_value(Node& node, const Linear<Real>& linear) noexcept {
     node.tally(Operation::call, 1);
-    node.tally(Operation::select, 9);
+    node.tally(Operation::select, 18);  // nine magnitudes, the larger nine times
     Real largest = Real(0);
     for (const Vec3<Real>& row : linear.rows) {
         for (const Real entry : {row.x, row.y, row.z}) {
@@ -54,6 +56,7 @@ template <NodeLike Node, class Real = typename Node::Real>
         }
     }
     if (!(Real(0) < largest)) return Real(0);
+    node.tally(Operation::compare_branch, 1);
     node.tally(Operation::reciprocal, 1);
     const Real inverse = reciprocal(largest);
     const Vec3<Real> x = scale(node, inverse, linear.rows[0]);

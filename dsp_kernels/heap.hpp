@@ -23,6 +23,8 @@ class Heap {
           order_(node.heap_order()),
           slots_(node.template heap_records<Entry>()),
           capacity_(static_cast<std::uint32_t>(node.heap_capacity())) {
+        node.tally(Operation::loop_turn, capacity_);
+        node.tally(Operation::integer, capacity_);
         for (std::uint32_t i = 0; i < capacity_; ++i) order_[i] = i;
     }
 
@@ -41,6 +43,8 @@ class Heap {
 
     /// Adds a cell, or drops the largest of all.
     void push(const Entry& cell) noexcept {
+        node_.tally(Operation::call, 1);
+        node_.tally(Operation::integer, 2);
         if (overflowed_ && !before(node_, cell, dropped_)) return;
         if (size_ == capacity_) {
             const std::uint32_t largest = find_largest();
@@ -60,46 +64,48 @@ class Heap {
 
     /// Removes the smallest cell and copies it to `cell`. Precondition: not empty.
     void pop(Entry& cell) noexcept {
-        tally_words(entry(0));
-        copy_cell(cell, entry(0));
+        node_.tally(Operation::call, 1);
+        fetch(order_[0], cell);
         swap(0, --size_);
         sift_down();
     }
 
     /// The slots as plain records: next_after keeps a path of cells in them while the heap is idle.
-    [[nodiscard]] Entry& slot(std::uint32_t index) noexcept { return slots_[index]; }
+    void keep(std::uint32_t slot, const Entry& cell) noexcept {
+        tally_slow_words(cell);
+        move_cell(node_, slots_[slot], cell);
+    }
+    void fetch(std::uint32_t slot, Entry& cell) noexcept {
+        tally_slow_words(slots_[slot]);
+        move_cell(node_, cell, slots_[slot]);
+    }
 
   private:
     [[nodiscard]] Entry& entry(std::uint32_t place) noexcept { return slots_[order_[place]]; }
 
-    void write(std::uint32_t place, const Entry& cell) noexcept {
-        tally_words(cell);
-        copy_cell(entry(place), cell);
-    }
+    void write(std::uint32_t place, const Entry& cell) noexcept { keep(order_[place], cell); }
+    /// D stays in fast memory.
     void drop(const Entry& cell) noexcept {
         overflowed_ = true;
-        copy_cell(dropped_, cell);
+        move_cell(node_, dropped_, cell);
     }
     void swap(std::uint32_t a, std::uint32_t b) noexcept {
         const std::uint32_t slot = order_[a];
         order_[a] = order_[b];
         order_[b] = slot;
     }
-    void tally_step() noexcept {
-        node_.tally(Operation::heap_sift, 1);
-        node_.tally(Operation::heap_scattered, 2);
-    }
-    void tally_words(const Entry& cell) noexcept {
-        constexpr std::size_t fixed_words = offsetof(Entry, word) / 4;
+    /// For the key of a cell that is compared with one whose key is at hand.
+    void tally_look() noexcept { node_.tally(Operation::heap_scattered, 1); }
+    void tally_slow_words(const Entry& cell) noexcept {
         node_.tally(Operation::heap_scattered, 1);
-        node_.tally(Operation::heap_sequential,
-                    fixed_words - 1 + CellWord::used(cell.level, cell.bits));
+        node_.tally(Operation::heap_sequential, cell_words(cell) - 1);
     }
 
     void sift_up(std::uint32_t place) noexcept {
         while (place > 0) {
             const std::uint32_t above = (place - 1) / 2;
-            tally_step();
+            node_.tally(Operation::heap_sift, 1);
+            tally_look();
             if (!before(node_, entry(place), entry(above))) return;
             swap(place, above);
             place = above;
@@ -108,11 +114,13 @@ class Heap {
     void sift_down() noexcept {
         std::uint32_t place = 0;
         while (true) {
+            node_.tally(Operation::heap_sift, 1);
             std::uint32_t smallest = place;
             for (std::uint32_t below = 2 * place + 1; below <= 2 * place + 2; ++below) {
-                if (below < size_ && before(node_, entry(below), entry(smallest))) smallest = below;
+                if (below >= size_) break;
+                tally_look();
+                if (before(node_, entry(below), entry(smallest))) smallest = below;
             }
-            tally_step();
             if (smallest == place) return;
             swap(place, smallest);
             place = smallest;
@@ -120,10 +128,11 @@ class Heap {
     }
     /// The place of the largest cell: it is among the leaves.
     [[nodiscard]] std::uint32_t find_largest() noexcept {
+        tally_look();
         std::uint32_t largest = size_ / 2;
         for (std::uint32_t place = largest + 1; place < size_; ++place) {
             node_.tally(Operation::loop_turn, 1);
-            node_.tally(Operation::heap_scattered, 1);
+            tally_look();
             if (before(node_, entry(largest), entry(place))) largest = place;
         }
         return largest;

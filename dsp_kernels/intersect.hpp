@@ -65,6 +65,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     push_objects(node, search, heap, counts);
     while (!heap.empty()) {
         node.tally(Operation::loop_turn, 1);
+        node.tally(Operation::integer, 3);
         heap.pop(result.cell);
         const Ending end = ending(node, search, result.cell);
         const bool capped = end == Ending::word_full || counts.volumes_tested >= search.cell_cap;

@@ -38,17 +38,18 @@ class CellPath {
         child_cell(node_, search_, last_, map, child);
         if (!meet(node_, child, last_.key, last_.exit)) return false;
         if (is_polar(node_, last_.object)) complete_child(node_, last_, map, child);
-        if (last_.level < heap_.capacity()) copy_cell(heap_.slot(last_.level), last_);
-        copy_cell(last_, child);
+        if (last_.level < heap_.capacity()) heap_.keep(last_.level, last_);
+        move_cell(node_, last_, child);
         return true;
     }
 
     /// Goes up one level and returns the symbol that was left. Precondition: not at an object.
     [[nodiscard]] std::uint32_t up() noexcept {
+        node_.tally(Operation::integer, 4);
         const std::uint32_t level = last_.level - 1U;
         const std::uint32_t symbol = last_.word.get(level, last_.bits);
         if (level < heap_.capacity()) {
-            copy_cell(last_, heap_.slot(level));
+            heap_.fetch(level, last_);
         } else {
             make_again(level);
         }
@@ -60,16 +61,18 @@ class CellPath {
     /// cells.
     void make_again(std::uint32_t level) noexcept {
         Cell<Real> longer;
-        copy_cell(longer, last_);
-        copy_cell(last_, heap_.slot(heap_.capacity() - 1));
+        move_cell(node_, longer, last_);
+        heap_.fetch(heap_.capacity() - 1, last_);
         while (last_.level < level) {
+            node_.tally(Operation::loop_turn, 1);
+            node_.tally(Operation::integer, 3);
             const std::uint32_t symbol = longer.word.get(last_.level, longer.bits);
             Cell<Real> child;
             const std::uint32_t map = map_from(node_, last_.follow_set, symbol);
             child_cell(node_, search_, last_, map, child);
             (void)meet(node_, child, last_.key, last_.exit);
             if (is_polar(node_, last_.object)) complete_child(node_, last_, map, child);
-            copy_cell(last_, child);
+            move_cell(node_, last_, child);
         }
     }
 
@@ -90,7 +93,9 @@ template <NodeLike Node, class Real = typename Node::Real>
     while (true) {
         node.tally(Operation::loop_turn, 1);
         Cell<Real>& cell = path.last();
+        node.tally(Operation::integer, 3);
         if (arrived) {
+            node.tally(Operation::compare_branch, 2);
             // Cells come in word order, so a cell is smaller than the best one only by its key.
             const bool hopeless = cell.exit < bound.key ||
                                   (result.outcome == Outcome::hit && !(cell.key < result.cell.key));
@@ -99,7 +104,7 @@ template <NodeLike Node, class Real = typename Node::Real>
             if (end == Ending::terminal) {
                 if (!hopeless && !before(node, cell, bound)) {
                     result.outcome = Outcome::hit;
-                    copy_cell(result.cell, cell);
+                    move_cell(node, result.cell, cell);
                 }
                 symbol = 0xFFFF'FFFF;  // nothing inside
             } else {
@@ -133,9 +138,10 @@ void next_after(Node& node, const Search<Real>& search, Heap<Node>& heap,
     CellPath<Node> path(node, search, heap);
     std::uint32_t object = node.shape_word(Header::objects);
     for (std::uint32_t left = node.shape_word(Header::object_count); left > 0; --left) {
+        node.tally(Operation::loop_turn, 1);
         ++counts.volumes_tested;
         if (path.start(object) && !next_after_in(node, search, bound, path, result, counts)) {
-            if (result.outcome == Outcome::miss) copy_cell(result.cell, bound);
+            if (result.outcome == Outcome::miss) move_cell(node, result.cell, bound);
             result.outcome = Outcome::capped;
             return;
         }

@@ -26,12 +26,16 @@ class TotalNormal {
     /// Adds the unit normal of a cell of that diameter.
     void add(Node& node, const Vec3<Real>& normal, Real diameter) noexcept {
         const Real weight = weight_of(node, diameter);
+        node.tally(Operation::multiply_add, 1);
         weighted_ = add_scaled(node, weighted_, weight, normal);
         unweighted_ = add_scaled(node, unweighted_, Real(1), normal);
         total_weight_ = total_weight_ + weight;
     }
     /// Whether any cell gave a normal.
-    [[nodiscard]] bool empty() const noexcept { return !(Real(0) < length2(unweighted_)); }
+    [[nodiscard]] bool empty(Node& node) const noexcept {
+        node.tally(Operation::compare_branch, 1);
+        return !(Real(0) < dot(node, unweighted_, unweighted_));
+    }
     /// The total normal, of unit length. When all weights vanish, the constant weighting (Erratum
     /// 18).
     [[nodiscard]] Vec3<Real> unit(Node& node) const noexcept {
@@ -46,9 +50,6 @@ class TotalNormal {
         if (mode_ == ShadingMode::low_pass) return diameter;                         // Eq. 17.5
         if (mode_ == ShadingMode::high_pass) return outermost_diameter_ - diameter;  // Eq. 17.6
         return Real(1);                                                              // Eq. 17.4
-    }
-    [[nodiscard]] static Real length2(const Vec3<Real>& a) noexcept {
-        return sum_of_products(a.x, a.x, a.y, a.y, a.z, a.z);
     }
 
     ShadingMode mode_;
@@ -102,19 +103,21 @@ template <NodeLike Node, class Real = typename Node::Real>
         const bool last = cell.level == hit.level;
         const auto inside = intersect_volume(node, cell.ray, cell.follow_set);
         node.tally(Operation::compare_branch, 1);
+        node.tally(Operation::integer, 2);
         const bool entered = inside && Real(0) < inside->entry;
         if (entered && (last || mode != ShadingMode::facet)) {
             total.add(node, cell_normal(node, cell, inside->entry, Side::entry, inverse),
                       cell_diameter(node, cell));
         }
         if (last) {
-            if (inside && total.empty()) {
+            if (inside && total.empty(node)) {
                 total.add(node, cell_normal(node, cell, inside->exit, Side::exit, inverse),
                           cell_diameter(node, cell));
             }
             surface.normal = total.unit(node);
             return surface;
         }
+        node.tally(Operation::integer, 3);
         const std::uint32_t map =
             map_from(node, cell.follow_set, hit.word.get(cell.level, hit.bits));
         Cell<Real> child;
@@ -123,7 +126,7 @@ template <NodeLike Node, class Real = typename Node::Real>
         inverse =
             compose(node, inverse, read_linear(node, map + Map::inverse));  // M^-1 W_i1^-1 ...
         surface.color = blend(node, surface.color, map + Map::color);
-        copy_cell(cell, child);
+        move_cell(node, cell, child);
     }
 }
 
@@ -153,6 +156,7 @@ template <NodeLike Node, class Real = typename Node::Real>
                                     const Vec3<Real>& point) noexcept {
     using Header = HeaderRecord<real_words<Real>>;
     using Light = LightRecord<real_words<Real>>;
+    node.tally(Operation::call, 1);
     Vec3<Real> light_sum = read_vector(node, Header::ambient);
     std::uint32_t light = node.shape_word(Header::lights);
     for (std::uint32_t left = node.shape_word(Header::light_count); left > 0; --left) {

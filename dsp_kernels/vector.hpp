@@ -49,7 +49,8 @@ template <class Real>
 /// size whose square neither overflows nor vanishes.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Vec3<Real> normalize(Node& node, const Vec3<Real>& a) noexcept {
-    node.tally(Operation::select, 2);
+    node.tally(Operation::call, 1);
+    node.tally(Operation::select, 5);  // three magnitudes, the larger twice
     node.tally(Operation::compare_branch, 1);
     Real largest = absolute(a.x);
     if (largest < absolute(a.y)) largest = absolute(a.y);
@@ -57,7 +58,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     if (!(Real(0) < largest)) return {};
     node.tally(Operation::reciprocal, 1);
     const Vec3<Real> sized = scale(node, reciprocal(largest), a);
-    node.tally(Operation::normalize, 1);
+    node.tally(Operation::reciprocal_square_root, 1);
     return scale(node, reciprocal_square_root(dot(node, sized, sized)), sized);
 }
 

@@ -39,7 +39,11 @@ template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] bool clip_to_slab(Node& node, Real o, Real d, Real low, Real high,
                                 Interval<Real>& interval) noexcept {
     node.tally(Operation::compare_branch, 2);
-    if (!(d < Real(0)) && !(Real(0) < d)) return !(o < low) && !(high < o);
+    if (!(d < Real(0)) && !(Real(0) < d)) {
+        node.tally(Operation::compare_branch, 2);
+        return !(o < low) && !(high < o);
+    }
+    node.tally(Operation::compare_branch, 1);
     node.tally(Operation::reciprocal, 1);
     node.tally(Operation::multiply_add, 4);
     node.tally(Operation::select, 4);

@@ -22,5 +22,7 @@ using CommandAction = std::function<ExitCode()>;
 [[nodiscard]] CommandAction add_compare_command(CLI::App& app);
 /// `pxm import FILE [-o SCENE]`.
 [[nodiscard]] CommandAction add_import_command(CLI::App& app);
+/// `pxm models`.
+[[nodiscard]] CommandAction add_models_command(CLI::App& app);
 
 }  // namespace pxm::host

@@ -29,6 +29,7 @@ struct RenderArguments {
     std::string out;
     std::string machine;
     bool native = false;
+    std::string cost_model;
     int threads = 0;  // 0: all cores
     std::string stats;
     std::string size, crop, numeric, covers, shading, intersect, lipschitz, volume, aov, pixel;
@@ -63,7 +64,8 @@ RenderRequest request_of(const RenderArguments& a) {
     RenderRequest request;
     request.scene_path = a.scene;
     request.overrides = overrides_of(a);
-    if (!a.machine.empty()) request.machine = &parse_model(a.machine);
+    if (!a.machine.empty()) request.machine = &parse_model("--machine", a.machine);
+    if (!a.cost_model.empty()) request.costs = read_cost_model(a.cost_model);
     request.threads = a.threads > 0
                           ? a.threads
                           : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -133,6 +135,10 @@ ExitCode render_picture(const RenderArguments& arguments) {
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
+    if (!arguments.cost_model.empty() && arguments.machine.empty()) {
+        throw Error(ExitCode::command_line,
+                    "--cost-model: cycles are counted on the machine only (--machine MODEL)");
+    }
     const RenderRequest request = request_of(arguments);
     const std::string out = arguments.out.empty() ? default_out(arguments.scene) : arguments.out;
     const auto aovs = arguments.aov.empty() ? std::vector<Aov>{} : parse_aovs(arguments.aov);
@@ -185,6 +191,8 @@ CommandAction add_render_command(CLI::App& app) {
     command
         ->add_option("--machine", a->machine, "On a simulated Pixel Machine: 964dX, 964, 940, ...")
         ->excludes(native);
+    command->add_option("--cost-model", a->cost_model,
+                        "Cycles of the machine's operations, a JSON file (docs/machine.md)");
     command->add_option("--threads", a->threads, "Host threads; default: all cores")
         ->check(CLI::Range(1, 1024));
     command->add_option("--stats", a->stats, "Write statistics to this JSON file");

@@ -167,16 +167,15 @@ void require_supported(const SceneOverrides& overrides) {
     unless(overrides.samples.value_or(1) == 1, "--samples above 1");
     unless(overrides.intersect != IntersectMethod::fast, "--intersect fast");
     unless(overrides.intersect != IntersectMethod::wide, "--intersect wide");
-    unless(overrides.numeric != Numeric::dsp32, "--numeric dsp32");
     unless(overrides.volume != VolumeKind::oriented, "--volume oriented");
     unless(overrides.volume != VolumeKind::hull, "--volume hull");
 }
 
-const Model& parse_model(const std::string& text) {
+const Model& parse_model(const char* option, const std::string& text) {
     if (const Model* model = find_model(text)) return *model;
     std::string expected;
     for (const Model& model : models()) expected += fmt::format(" {}", model.name);
-    refuse("--machine", text, fmt::format("a model out of{}", expected));
+    refuse(option, text, fmt::format("a model out of{}", expected));
 }
 
 }  // namespace pxm::host

@@ -24,7 +24,7 @@ namespace pxm::host {
 [[nodiscard]] IntersectMethod parse_intersect(const std::string& text);
 [[nodiscard]] LipschitzMethod parse_lipschitz(const std::string& text);
 [[nodiscard]] VolumeKind parse_volume(const std::string& text);
-[[nodiscard]] const Model& parse_model(const std::string& text);
+[[nodiscard]] const Model& parse_model(const char* option, const std::string& text);
 
 /// Throws Error(ExitCode::command_line) for what can be said and not yet rendered: the same as
 /// check_supported() refuses in a scene.

@@ -7,13 +7,13 @@ namespace pxm {
 namespace {
 using enum Certainty;
 constexpr std::array<Model, 6> all_models{{
-    // name   columns rows  array     natural raster
-    {"916", 4, 4, recalled, 1024, 1024},
-    {"920", 5, 4, recalled, 1280, 1024},
-    {"932", 8, 4, recalled, 1024, 1024},
-    {"940", 10, 4, recalled, 1280, 1024},
-    {"964", 8, 8, seen, 1280, 1024},
-    {"964dX", 8, 8, seen, 1280, 1024},
+    // name  columns, rows, mark; natural raster, mark
+    {"916", 4, 4, recalled, 1024, 1024, recalled},
+    {"920", 5, 4, recalled, 1280, 1024, recalled},
+    {"932", 8, 4, recalled, 1024, 1024, recalled},
+    {"940", 10, 4, recalled, 1280, 1024, recalled},
+    {"964", 8, 8, recalled, 1280, 1024, recalled},
+    {"964dX", 8, 8, seen, 1280, 1024, recalled},  // the array: Ch. 19
 }};
 }  // namespace
 

@@ -21,8 +21,13 @@ struct Model {
     Certainty array_certainty;
     int natural_width;  // of the natural raster, pixels
     int natural_height;
+    Certainty raster_certainty;
 
     [[nodiscard]] constexpr int nodes() const { return columns * rows; }
+    /// D: of the natural raster.
+    [[nodiscard]] constexpr int pixels_per_node() const {
+        return natural_width * natural_height / nodes();
+    }
 };
 
 inline constexpr std::int64_t fast_memory_bytes = 36'864;  // S: Ch. 19; program + constants + stack
@@ -30,6 +35,23 @@ inline constexpr std::int64_t bank_bytes = 262'144;        // D: 48 MB / 64 node
 inline constexpr std::int64_t zbuffer_part_bytes = 131'072;  // A: half of the z-buffer/texture bank
 inline constexpr std::int64_t texture_part_bytes = bank_bytes - zbuffer_part_bytes;  // A: the rest
 inline constexpr double instruction_seconds = 200e-9;  // D: 5 MIPS, Ch. 19
+
+/// A memory of a pixel node, the same in all models.
+struct Memory {
+    std::string_view name;
+    std::int64_t bytes;
+    Certainty certainty;
+    std::string_view use;  // what it holds
+};
+
+inline constexpr std::array<Memory, 5> node_memories{{
+    {"fast memory", fast_memory_bytes, Certainty::seen,
+     "program, constants, stack, order of the heap"},
+    {"front buffer", bank_bytes, Certainty::derived, "the picture, 32 bits a pixel"},
+    {"back buffer", bank_bytes, Certainty::derived, "the shape database"},
+    {"z-buffer", zbuffer_part_bytes, Certainty::assumed, "entries of the heap"},
+    {"texture", texture_part_bytes, Certainty::assumed, "2-D textures"},
+}};
 
 /// All models, 916 first.
 [[nodiscard]] std::span<const Model> models();

@@ -101,6 +101,7 @@ class Node {
     /// Stores a 32-bit pixel of the front frame buffer; `pixel` counts the node's own pixels.
     void write_pixel(std::uint32_t pixel, std::uint32_t rgba) noexcept {
         tally_.add(Operation::pixel_write, 1);
+        tally_.add(Operation::pixel_sequential, 1);
         const auto words = front_buffer_.words();
         if (pixel >= words.size()) {
             halt(front_buffer_, (std::int64_t{pixel} + 1) * 4);
@@ -109,8 +110,7 @@ class Node {
         words[pixel] = rgba;
     }
 
-    // --- counts and faults
-    // ---------------------------------------------------------------------------
+    // --- counts and faults -----------------------------------------------------------------------
     void tally(Operation operation, std::uint64_t times) noexcept { tally_.add(operation, times); }
     [[nodiscard]] const Tally& tally() const noexcept { return tally_; }
     /// The access that halted this node, if one did.

@@ -15,32 +15,63 @@ enum class Operation : std::uint8_t {
     dot_product,          // of two 3-vectors
     transform_point,      // point times a 3x4 affine matrix
     transform_direction,  // direction times a 3x3 matrix
-    compose_linear,       // 3x3 times 3x3
     compare_branch,       // float compare and branch
-    select,               // float minimum, maximum, conditional move
+    select,               // float minimum, maximum, magnitude, conditional move
+    to_float,             // an integer as a float
     reciprocal,
     divide,
     square_root,
-    normalize,  // reciprocal square root and three multiplies
-    integer,    // integer add, logic, compare, move
+    reciprocal_square_root,
+    integer,  // integer add, logic, compare; a move of a word
     loop_turn,
     call,              // call and return of a routine
     shape_sequential,  // a word of the back frame buffer next to the one read before
     shape_scattered,   // a word elsewhere in the back frame buffer
     heap_sequential,   // the same in the z-buffer memory
     heap_scattered,
-    heap_sift,    // one step of a heap's sift, entries moved by index
-    pixel_write,  // pack four bytes and store them in the front frame buffer
+    heap_sift,         // one step of a heap's sift, its comparisons and slow words counted apart
+    pixel_write,       // pack four bytes and store them
+    pixel_sequential,  // the word of the front frame buffer next to the pixel before
 };
-inline constexpr std::size_t operation_count = 20;
+inline constexpr std::size_t operation_count = 21;
 
 /// Names as they stand in cost tables and statistics.
 inline constexpr std::array<std::string_view, operation_count> operation_names{
-    "multiply_add",    "dot_product",    "transform_point",  "transform_direction",
-    "compose_linear",  "compare_branch", "select",           "reciprocal",
-    "divide",          "square_root",    "normalize",        "integer",
-    "loop_turn",       "call",           "shape_sequential", "shape_scattered",
-    "heap_sequential", "heap_scattered", "heap_sift",        "pixel_write"};
+    "multiply_add",
+    "dot_product",
+    "transform_point",
+    "transform_direction",
+    "compare_branch",
+    "select",
+    "to_float",
+    "reciprocal",
+    "divide",
+    "square_root",
+    "reciprocal_square_root",
+    "integer",
+    "loop_turn",
+    "call",
+    "shape_sequential",
+    "shape_scattered",
+    "heap_sequential",
+    "heap_scattered",
+    "heap_sift",
+    "pixel_write",
+    "pixel_sequential"};
+
+/// Whether the node waits for one of its slow memories instead of executing an instruction.
+[[nodiscard]] constexpr bool is_memory_wait(Operation operation) noexcept {
+    switch (operation) {
+        case Operation::shape_sequential:
+        case Operation::shape_scattered:
+        case Operation::heap_sequential:
+        case Operation::heap_scattered:
+        case Operation::pixel_sequential:
+            return true;
+        default:
+            return false;
+    }
+}
 
 /// Counts of one node.
 struct Tally {
@@ -48,6 +79,9 @@ struct Tally {
 
     void add(Operation operation, std::uint64_t times) noexcept {
         counts[static_cast<std::size_t>(operation)] += times;
+    }
+    void add(const Tally& other) noexcept {
+        for (std::size_t i = 0; i < operation_count; ++i) counts[i] += other.counts[i];
     }
 };
 

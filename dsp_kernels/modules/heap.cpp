@@ -6,9 +6,13 @@
 namespace pxm::kernels {
 
 template bool before(Node&, const Cell<float>&, const Cell<float>&) noexcept;
+template std::uint32_t cell_words(const Cell<float>&) noexcept;
 template void copy_cell(Cell<float>&, const Cell<float>&) noexcept;
+template void move_cell(Node&, Cell<float>&, const Cell<float>&) noexcept;
 template Heap<Node>::Heap(Node&) noexcept;
 template void Heap<Node>::push(const Cell<float>&) noexcept;
 template void Heap<Node>::pop(Cell<float>&) noexcept;
+template void Heap<Node>::keep(std::uint32_t, const Cell<float>&) noexcept;
+template void Heap<Node>::fetch(std::uint32_t, Cell<float>&) noexcept;
 
 }  // namespace pxm::kernels

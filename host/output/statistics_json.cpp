@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/output/program_json.hpp"
+#include "pxm/cost.hpp"
 #include "pxm/model.hpp"
 
 namespace pxm::host {
@@ -13,6 +14,35 @@ namespace pxm::host {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Executions by kind of operation.
+Json operations_json(const Tally& tally) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < operation_count; ++i) {
+        json[std::string(operation_names[i])] = tally.counts[i];
+    }
+    return json;
+}
+
+/// The same with the cycles they stand for.
+Json operation_cycles_json(const Tally& tally, const CostTable& table) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < operation_count; ++i) {
+        const double each = table.cycles_of(static_cast<Operation>(i));
+        json[std::string(operation_names[i])] = {
+            {"count", tally.counts[i]},
+            {"cycles_each", each},
+            {"cycles", static_cast<double>(tally.counts[i]) * each}};
+    }
+    return json;
+}
+
+Json cost_model_json(const CostModel& costs) {
+    return {{"name", costs.name},
+            {"plain_share", costs.table.plain_share},
+            {"compiled_code_factor", costs.table.compiled_code_factor},
+            {"seconds_per_cycle", instruction_seconds}};
+}
 
 Json node_json(const NodeStatistics& node) {
     return {{"id", node.id},
@@ -25,6 +55,8 @@ Json node_json(const NodeStatistics& node) {
             {"heap_peak", node.rays.heap_peak},
             {"heap_overflows", node.rays.heap_overflows},
             {"capped_rays", node.rays.capped_rays},
+            {"operations", operations_json(node.tally)},
+            {"instructions", node.instructions},
             {"cycles", node.cycles},
             {"seconds", static_cast<double>(node.cycles) * instruction_seconds}};
 }
@@ -74,6 +106,8 @@ std::string statistics_json(const Statistics& s) {
                       {"back_buffer", memory_json(s.machine->back_buffer)},
                       {"zbuffer", memory_json(s.machine->zbuffer)},
                       {"texture", memory_json(s.machine->texture)}};
+    json["cost_model"] = cost_model_json(s.machine->costs);
+    json["operations"] = operation_cycles_json(s.machine->tally, s.machine->costs.table);
     json["nodes"] = Json::array();
     for (const NodeStatistics& node : s.machine->nodes) json["nodes"].push_back(node_json(node));
     json["balance"] = balance_json(s.machine->nodes);

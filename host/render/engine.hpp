@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/render/compiled_scene.hpp"
+#include "host/render/cost_model.hpp"
 #include "host/render/frame.hpp"
 #include "host/render/statistics.hpp"
 #include "pxm/model.hpp"
@@ -19,6 +20,7 @@ struct EngineChoice {
     int threads = 1;                 // host threads, at least 1
     std::int64_t program_bytes = 0;  // what a node of the machine loads, constants included
     std::int64_t stack_bytes = 0;
+    CostModel costs = default_cost_model();
 };
 
 /// How a render is watched and stopped from outside.

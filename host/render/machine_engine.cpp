@@ -52,8 +52,10 @@ std::uint32_t pack_pixel(const PixelRecord& pixel) {
 }
 
 template <class Real>
-MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistics>& rays) {
+MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistics>& rays,
+                          const CostModel& costs) {
     MachineStatistics statistics;
+    statistics.costs = costs;
     const auto use = [](MemoryUse& memory, const Bank& bank) {
         memory.limit_bytes = bank.limit_bytes();
         memory.used_bytes = std::max(memory.used_bytes, bank.used_bytes());
@@ -64,7 +66,10 @@ MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistic
         one.column = node.id().column;
         one.row = node.id().row;
         one.rays = rays[static_cast<std::size_t>(node.index())];
-        one.cycles = cycles(node.tally(), default_cost_table());
+        one.tally = node.tally();
+        one.instructions = instructions(node.tally(), costs.table);
+        one.cycles = cycles(node.tally(), costs.table);
+        statistics.tally.add(node.tally());
         statistics.nodes.push_back(one);
         use(statistics.fast_memory, node.fast_memory());
         use(statistics.front_buffer, node.front_buffer());
@@ -99,9 +104,13 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     std::atomic<bool> stopped = false;
     const auto program = [&](Node<Real>& node) {
         RayStatistics& counts = rays[static_cast<std::size_t>(node.index())];
+        const kernels::PixelShare share = node_share(scene.crop, model, node.id());
+        if (share.x0 >= share.x1 || share.y0 >= share.y1) return;
+        // A pixel's cycles are all that was counted since the pixel before, so they sum up to the
+        // node's; the first pixel carries the start of the program.
         std::uint64_t cycles_before = 0;
         kernels::pixel_program(
-            node, node_share(scene.crop, model, node.id()),
+            node, share,
             [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
                 PixelRecord& record = result.frame.at(x, y);
                 gather_pixel(scene, block, pixel, record, counts);
@@ -109,7 +118,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
                 node.write_pixel(
                     pixel_in_node(model, width, static_cast<int>(x), static_cast<int>(y)),
                     pack_pixel(record));
-                const std::uint64_t now = cycles(node.tally(), default_cost_table());
+                const std::uint64_t now = cycles(node.tally(), choice.costs.table);
                 record.cycles = now - cycles_before;
                 cycles_before = now;
                 const std::size_t finished = ++done;
@@ -123,7 +132,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     };
     refuse(machine.run(program, choice.threads), model);
     for (const RayStatistics& counts : rays) result.rays.add(counts);
-    result.machine = collect(machine, rays);
+    result.machine = collect(machine, rays, choice.costs);
     result.stopped = stopped;
     result.render_seconds = seconds_since(render_start);
     return result;

@@ -85,8 +85,9 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     const Prepared prepared = prepare(request);
     const NodeProgram program = link(prepared.compiled);
     if (request.machine) require_fit(program, std::string(request.machine->name));
-    const EngineChoice choice{request.machine, numeric_of(prepared, request), request.threads,
-                              program.modules_bytes(), program.stack_bytes};
+    const EngineChoice choice{request.machine,     numeric_of(prepared, request),
+                              request.threads,     program.modules_bytes(),
+                              program.stack_bytes, request.costs};
     EngineResult run = request.machine ? run_on_machine(prepared.compiled, choice, control)
                                        : run_natively(prepared.compiled, choice, control);
 

@@ -36,6 +36,7 @@ struct RenderRequest {
     SceneOverrides overrides;
     const Model* machine = nullptr;  // null: native
     int threads = 1;
+    CostModel costs = default_cost_model();  // of the machine
 };
 
 struct RenderResult {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/render/cost_model.hpp"
 #include "host/render/link.hpp"
 #include "host/scene/scene.hpp"
 
@@ -30,7 +31,9 @@ struct NodeStatistics {
     int column = 0;
     int row = 0;
     RayStatistics rays;
-    std::uint64_t cycles = 0;
+    Tally tally;
+    std::uint64_t instructions = 0;
+    std::uint64_t cycles = 0;  // the instructions, and the waits for slow memories
 };
 
 /// One memory's use, the largest over all nodes.
@@ -41,6 +44,8 @@ struct MemoryUse {
 
 /// What only the machine has.
 struct MachineStatistics {
+    CostModel costs;
+    Tally tally;  // of all nodes
     std::vector<NodeStatistics> nodes;
     MemoryUse fast_memory;
     MemoryUse front_buffer;

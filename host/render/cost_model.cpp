@@ -1,0 +1,128 @@
+#include "host/render/cost_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "host/error.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t longest_file_bytes = 1'000'000;
+constexpr double largest_cost = 1e6;  // cycles; keeps every sum exact enough to be a whole number
+
+/// Reads values out of one file's objects and refuses what is wrong by its place in the file.
+class Reader {
+  public:
+    explicit Reader(const std::string& path) : path_(path) {}
+
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw Error(ExitCode::command_line, fmt::format("--cost-model {}: {}", path_, what));
+    }
+
+    [[nodiscard]] const Json& object(const Json& json, const std::string& place) const {
+        if (!json.is_object()) refuse(fmt::format("{} is not an object", place));
+        return json;
+    }
+
+    /// Every key of the object is one of `known`.
+    void only(const Json& json, const std::string& place, const auto& known) const {
+        for (const auto& [key, value] : json.items()) {
+            if (std::ranges::find(known, key) == std::ranges::end(known)) {
+                refuse(fmt::format("unknown entry \"{}\" in {}", key, place));
+            }
+        }
+    }
+
+    [[nodiscard]] const Json& entry(const Json& json, const std::string& key,
+                                    const std::string& place) const {
+        if (!json.contains(key)) refuse(fmt::format("{} has no entry \"{}\"", place, key));
+        return json.at(key);
+    }
+
+    /// A number from 0 to `most`.
+    [[nodiscard]] double number(const Json& json, const std::string& place, double most) const {
+        if (!json.is_number()) refuse(fmt::format("{} is not a number", place));
+        const double value = json.get<double>();
+        if (!(value >= 0)) refuse(fmt::format("{} is negative: {}", place, value));
+        if (value > most) refuse(fmt::format("{} is over {}: {}", place, most, value));
+        return value;
+    }
+
+  private:
+    const std::string& path_;
+};
+
+constexpr std::array<std::string_view, 3> top_keys{"plain_share", "compiled_code_factor",
+                                                   "operations"};
+constexpr std::array<std::string_view, 2> cost_keys{"tight", "plain"};
+
+OperationCost read_cost(const Reader& reader, const Json& operations, std::string_view name) {
+    const std::string key(name);
+    const std::string place = fmt::format("operation \"{}\"", key);
+    const Json& cost = reader.object(reader.entry(operations, key, "\"operations\""), place);
+    reader.only(cost, place, cost_keys);
+    const auto column = [&](const char* which) {
+        return reader.number(reader.entry(cost, which, place),
+                             fmt::format("\"{}\" of {}", which, place), largest_cost);
+    };
+    return {column("tight"), column("plain")};
+}
+
+std::string read_file(const std::string& path) {
+    const auto refuse = [&](const char* why) {
+        throw Error(ExitCode::file, fmt::format("cannot read {}: {}", path, why));
+    };
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) refuse("it is a directory");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) refuse(std::filesystem::exists(path, error) ? "no permission" : "no such file");
+    std::string text(longest_file_bytes + 1, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (file.bad()) refuse("reading failed");
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    if (text.size() > longest_file_bytes) refuse("it is longer than 1 MB");
+    return text;
+}
+
+}  // namespace
+
+CostModel default_cost_model() { return {"default", default_cost_table()}; }
+
+CostModel parse_cost_model(const std::string& text, const std::string& path) {
+    const Reader reader(path);
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::exception& error) {
+        reader.refuse(fmt::format("not JSON: {}", error.what()));
+    }
+    const std::string whole = "the file";
+    reader.only(reader.object(json, whole), whole, top_keys);
+    CostModel model{path, default_cost_table()};
+    const auto optional = [&](const char* key, double most, double& target) {
+        if (json.contains(key)) target = reader.number(json[key], fmt::format("\"{}\"", key), most);
+    };
+    optional("plain_share", 1, model.table.plain_share);
+    optional("compiled_code_factor", 1000, model.table.compiled_code_factor);
+    const Json& operations =
+        reader.object(reader.entry(json, "operations", whole), "\"operations\"");
+    reader.only(operations, "\"operations\"", operation_names);
+    for (std::size_t i = 0; i < operation_count; ++i) {
+        model.table.operations[i] = read_cost(reader, operations, operation_names[i]);
+    }
+    return model;
+}
+
+CostModel read_cost_model(const std::string& path) {
+    return parse_cost_model(read_file(path), path);
+}
+
+}  // namespace pxm::host
