@@ -16,6 +16,8 @@ using CommandAction = std::function<ExitCode()>;
 
 /// `pxm render SCENE [-o OUT]`.
 [[nodiscard]] CommandAction add_render_command(CLI::App& app);
+/// `pxm inspect SCENE [--json] [-o FILE]`.
+[[nodiscard]] CommandAction add_inspect_command(CLI::App& app);
 /// `pxm compare A B`.
 [[nodiscard]] CommandAction add_compare_command(CLI::App& app);
 

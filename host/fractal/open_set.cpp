@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "host/fractal/bounds.hpp"
 #include "host/fractal/growth.hpp"
 #include "host/fractal/inner_points.hpp"
 #include "host/fractal/polytope.hpp"

@@ -208,7 +208,7 @@ int affordable_length(const Rifs& rifs, int longest, double budget) {
 StepMatrix word_sums(const Rifs& rifs, const WordTable& table, double d) {
     std::vector<double> phi;
     phi.reserve(table.words.size());
-    for (const Word& word : table.words) {
+    for (const WordStretch& word : table.words) {
         phi.push_back(std::exp(log_singular_value_function(word.stretch, d)));
     }
     return sums(rifs, [&](int m, const auto& add) {

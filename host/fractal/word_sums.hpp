@@ -22,7 +22,7 @@ using LogStretch = std::array<double, 3>;
 [[nodiscard]] double log_singular_value_function(const LogStretch& stretch, double d);
 
 /// The words of one length that begin with some map and stay in one component.
-struct Word {
+struct WordStretch {
     int first_map = 0;
     int to = 0;  // the follow set of what stands inside the word
     LogStretch stretch{};
@@ -30,7 +30,7 @@ struct Word {
 
 struct WordTable {
     int length = 1;
-    std::vector<Word> words;              // by first map, rising
+    std::vector<WordStretch> words;       // by first map, rising
     std::vector<std::size_t> first_word;  // per map, and one more: where its words begin
 };
 
