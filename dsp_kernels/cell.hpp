@@ -13,12 +13,14 @@ namespace pxm::kernels {
 
 template <class Real>
 struct Cell {
-    Ray<Real> ray;             // in the cell's own coordinates, re-based to its volume's centre
-    Real key{};                // start of the ray's interval: max(parent's key, entry), Erratum 3
-    Real exit{};               // its end: min(parent's exit, exit)
-    Real constant{};           // Lipschitz constant of the composed map (product, determinant)
-    Linear<Real> linear{};     // composed linear part (polar)
-    std::uint32_t object = 0;  // address of the object record
+    Ray<Real> ray;          // in the cell's own coordinates, re-based to its volume's centre
+    Real key{};             // start of the ray's interval: max(parent's key, entry), Erratum 3
+    Real exit{};            // its end: min(parent's exit, exit)
+    Real constant{};        // Lipschitz constant of the composed map (product, determinant)
+    Linear<Real> linear{};  // composed linear part (polar)
+    Vec3<Real> lost[2]{};   // unit axes that lifted singular maps squashed, as far as counted
+    std::uint32_t lost_axes = 0;
+    std::uint32_t object = 0;      // address of the object record
     std::uint32_t follow_set = 0;  // address of the volume's record and the maps that may come next
     std::uint16_t level = 0;       // length of the word
     std::uint16_t bits = 1;        // of a symbol

@@ -5,80 +5,30 @@
 
 #include "dsp_kernels/cell.hpp"
 #include "dsp_kernels/diameter.hpp"
-#include "dsp_kernels/pixel_size.hpp"
+#include "dsp_kernels/flatness.hpp"
 #include "dsp_kernels/scene_block.hpp"
+#include "dsp_kernels/search.hpp"
 #include "dsp_kernels/volume.hpp"
 
 namespace pxm::kernels {
-
-/// What a search looks for: a ray, the size of a pixel along it, and when to stop.
-template <class Real>
-struct Search {
-    Ray<Real> ray;
-    PixelSize<Real> pixel;
-    Real detail;             // a cell is terminal at `detail` pixels
-    std::uint32_t cell_cap;  // most cells tested for one ray
-};
 
 /// Relative error of a ray's parameter that rounding may cause: a few units in the last place, half
 /// of the smallest pixel (design decision 4).
 template <class Real>
 inline constexpr Real rounding_slack = from_double<Real>(real_words<Real> == 1 ? 0x1p-21 : 0x1p-49);
 
-/// Whether the cell's composed linear part is needed for its diameter.
-template <NodeLike Node>
-[[nodiscard]] bool is_polar(Node& node, std::uint32_t object) noexcept {
-    using Object = ObjectRecord<real_words<typename Node::Real>>;
-    node.tally(Operation::integer, 1);
-    return static_cast<Lipschitz>(node.shape_word(object + Object::lipschitz)) == Lipschitz::polar;
-}
-
-/// p at the ray's parameter t, for one object.
-template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] Real pixel_at(Node& node, const Search<Real>& search, std::uint32_t object,
-                            Real t) noexcept {
-    using Object = ObjectRecord<real_words<Real>>;
-    return pixel_size(node, search.pixel, t, node.shape_real(object + Object::smallest_pixel));
-}
-
-/// A flat cell (inside a lifted singular map) keeps a thickness of about a quarter of a pixel:
-/// where the ray crosses it faster than that, it is slowed down about the point nearest to the
-/// volume's centre. Otherwise the lifts of one word would multiply, and overflow.
-template <NodeLike Node, class Real = typename Node::Real>
-void limit_flatness(Node& node, const Search<Real>& search, Cell<Real>& cell) noexcept {
-    using FollowSet = FollowSetRecord<real_words<Real>>;
-    node.tally(Operation::multiply_add, 5);
-    node.tally(Operation::compare_branch, 1);
-    node.tally(Operation::select, 1);
-    const Real t = cell.ray.base < Real(0) ? Real(0) : cell.ray.base;
-    const Real p = search.detail * pixel_at(node, search, cell.object, t);
-    const Real diameter = node.shape_real(cell.follow_set + FollowSet::diameter);
-    const Real length2 = dot(node, cell.ray.direction, cell.ray.direction);
-    const Real limit = Real(4) * diameter;  // crossing in p/4: |d| p <= 4 diameter
-    if (!(limit * limit < length2 * p * p)) return;
-    node.tally(Operation::reciprocal_square_root, 1);
-    node.tally(Operation::multiply_add, 1);
-    node.tally(Operation::divide, 1);
-    const Real slower = limit * reciprocal_square_root(length2) / p;
-    cell.ray.direction = scale(node, slower, cell.ray.direction);
-}
-
 /// Brings the cell's ray near its volume, ready to be intersected with it.
 template <NodeLike Node, class Real = typename Node::Real>
-void approach(Node& node, const Search<Real>& search, Cell<Real>& cell) noexcept {
-    using Object = ObjectRecord<real_words<Real>>;
+void approach(Node& node, Cell<Real>& cell) noexcept {
     using FollowSet = FollowSetRecord<real_words<Real>>;
     cell.ray = rebase(node, cell.ray, read_vector(node, cell.follow_set + FollowSet::center));
-    node.tally(Operation::integer, 1);
-    if (node.shape_word(cell.object + Object::lifted) != 0) limit_flatness(node, search, cell);
 }
 
 /// Step 2.4.4: intersects the cell's own ray with its volume (Erratum 2) and sets its interval,
 /// clipped to [from, to] (Erratum 3). False if the ray does not meet the cell.
 template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] bool meet(Node& node, const Search<Real>& search, Cell<Real>& cell, Real from,
-                        Real to) noexcept {
-    approach(node, search, cell);
+[[nodiscard]] bool meet(Node& node, Cell<Real>& cell, Real from, Real to) noexcept {
+    approach(node, cell);
     const auto inside = intersect_volume(node, cell.ray, cell.follow_set);
     if (!inside) return false;
     node.tally(Operation::select, 2);
@@ -104,6 +54,7 @@ void outermost_cell(Node& node, const Search<Real>& search, std::uint32_t object
     if (is_polar(node, object)) cell.linear = read_linear(node, object + Object::linear);
     cell.object = object;
     cell.follow_set = node.shape_word(object + Object::start_set);
+    cell.lost_axes = 0;
     cell.level = 0;
     cell.bits = static_cast<std::uint16_t>(node.shape_word(object + Object::symbol_bits));
 }
@@ -112,9 +63,10 @@ void outermost_cell(Node& node, const Search<Real>& search, std::uint32_t object
 /// composed linear part (complete_child). o M^-1 W_i^-1 is computed as (o M^-1) W_i^-1.
 /// Precondition: the parent's word has room for one more symbol.
 template <NodeLike Node, class Real = typename Node::Real>
-void child_cell(Node& node, const Cell<Real>& parent, std::uint32_t map,
+void child_cell(Node& node, const Search<Real>& search, const Cell<Real>& parent, std::uint32_t map,
                 Cell<Real>& child) noexcept {
     using Map = MapRecord<real_words<Real>>;
+    using Object = ObjectRecord<real_words<Real>>;
     child.ray = transform_ray(node, parent.ray, read_affine(node, map + Map::inverse));
     node.tally(Operation::multiply_add, 1);
     node.tally(Operation::integer, 8U + CellWord::used(parent.level, parent.bits));
@@ -126,6 +78,10 @@ void child_cell(Node& node, const Cell<Real>& parent, std::uint32_t map,
     const std::uint32_t used = CellWord::used(parent.level, parent.bits);
     for (std::uint32_t i = 0; i < used; ++i) child.word.packed[i] = parent.word.packed[i];
     child.word.set(parent.level, parent.bits, node.shape_word(map + Map::symbol));
+    child.lost_axes = 0;
+    if (node.shape_word(child.object + Object::lifted) != 0) {
+        keep_thickness(node, search, parent, map, child);
+    }
 }
 
 /// The composed linear part of a child that the ray meets: x T_i T_parent.

@@ -24,7 +24,7 @@ void push_objects(Node& node, const Search<Real>& search, Heap<Node>& heap,
         Cell<Real> cell;
         outermost_cell(node, search, object, cell);
         ++counts.volumes_tested;
-        const bool met = meet(node, search, cell, Real(0), from_double<Real>(1e30));
+        const bool met = meet(node, cell, Real(0), from_double<Real>(1e30));
         watch(node, met ? CellEvent::met : CellEvent::missed, cell);
         if (met) heap.push(cell);
         object += Object::words;
@@ -43,9 +43,9 @@ void push_children(Node& node, const Search<Real>& search, const Cell<Real>& par
         node.tally(Operation::loop_turn, 1);
         const std::uint32_t map = node.shape_word(list++);
         Cell<Real> child;
-        child_cell(node, parent, map, child);
+        child_cell(node, search, parent, map, child);
         ++counts.volumes_tested;
-        const bool met = meet(node, search, child, parent.key, parent.exit);
+        const bool met = meet(node, child, parent.key, parent.exit);
         watch(node, met ? CellEvent::met : CellEvent::missed, child);
         if (!met) continue;
         if (polar) complete_child(node, parent, map, child);

@@ -28,15 +28,15 @@ class CellPath {
     /// Starts at an object; false if the ray does not meet it.
     [[nodiscard]] bool start(std::uint32_t object) noexcept {
         outermost_cell(node_, search_, object, last_);
-        return meet(node_, search_, last_, Real(0), from_double<Real>(1e30));
+        return meet(node_, last_, Real(0), from_double<Real>(1e30));
     }
 
     /// Goes down to the map; if the ray does not meet its cell, stays where it is and returns
     /// false.
     [[nodiscard]] bool down(std::uint32_t map) noexcept {
         Cell<Real> child;
-        child_cell(node_, last_, map, child);
-        if (!meet(node_, search_, child, last_.key, last_.exit)) return false;
+        child_cell(node_, search_, last_, map, child);
+        if (!meet(node_, child, last_.key, last_.exit)) return false;
         if (is_polar(node_, last_.object)) complete_child(node_, last_, map, child);
         if (last_.level < heap_.capacity()) heap_.keep(last_.level, last_);
         move_cell(node_, last_, child);
@@ -69,8 +69,8 @@ class CellPath {
             const std::uint32_t symbol = longer.word.get(last_.level, longer.bits);
             Cell<Real> child;
             const std::uint32_t map = map_from(node_, last_.follow_set, symbol);
-            child_cell(node_, last_, map, child);
-            (void)meet(node_, search_, child, last_.key, last_.exit);
+            child_cell(node_, search_, last_, map, child);
+            (void)meet(node_, child, last_.key, last_.exit);
             if (is_polar(node_, last_.object)) complete_child(node_, last_, map, child);
             move_cell(node_, last_, child);
         }

@@ -91,14 +91,16 @@ struct FollowSetRecord : Record<R, 3, 10> {
 
 /// One map of a system.
 template <std::uint32_t R>
-struct MapRecord : Record<R, 2, 26> {
-    using Base = Record<R, 2, 26>;
+struct MapRecord : Record<R, 3, 32> {
+    using Base = Record<R, 3, 32>;
     static constexpr std::uint32_t follow_set = Base::integer(0);  // address
+    static constexpr std::uint32_t lost_axes = Base::integer(2);   // of a lifted singular map
     static constexpr std::uint32_t symbol = Base::integer(1);      // its number from 0
     static constexpr std::uint32_t inverse = Base::real(0);        // W_i^-1
     static constexpr std::uint32_t linear = Base::real(12);        // T_i
     static constexpr std::uint32_t constant = Base::real(21);  // Lip w_i, or the cube root of |det|
     static constexpr std::uint32_t color = Base::real(22);     // r, g, b, a
+    static constexpr std::uint32_t lost = Base::real(26);      // up to two unit axes it squashes
 };
 
 template <std::uint32_t R>

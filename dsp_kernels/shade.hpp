@@ -99,7 +99,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     TotalNormal<Node> total(mode, cell_diameter(node, cell));
     while (true) {
         node.tally(Operation::loop_turn, 1);
-        approach(node, search, cell);
+        approach(node, cell);
         const bool last = cell.level == hit.level;
         const auto inside = intersect_volume(node, cell.ray, cell.follow_set);
         node.tally(Operation::compare_branch, 1);
@@ -121,7 +121,7 @@ template <NodeLike Node, class Real = typename Node::Real>
         const std::uint32_t map =
             map_from(node, cell.follow_set, hit.word.get(cell.level, hit.bits));
         Cell<Real> child;
-        child_cell(node, cell, map, child);
+        child_cell(node, search, cell, map, child);
         if (polar) complete_child(node, cell, map, child);
         inverse =
             compose(node, inverse, read_linear(node, map + Map::inverse));  // M^-1 W_i1^-1 ...

@@ -8,7 +8,7 @@
 
 namespace pxm::kernels {
 
-inline constexpr int word_capacity = 57;  // 32-bit words; makes a float cell 316 bytes
+inline constexpr int word_capacity = 50;  // 32-bit words; makes a float cell 316 bytes
 
 /// Symbols of `bits` bits each, first symbol in the highest bits; a symbol never straddles two
 /// words. Words beyond the last used one are not kept clean.

@@ -18,8 +18,12 @@ using CommandAction = std::function<ExitCode()>;
 [[nodiscard]] CommandAction add_render_command(CLI::App& app);
 /// `pxm points SCENE -n N -o OUT.ply`.
 [[nodiscard]] CommandAction add_points_command(CLI::App& app);
+/// `pxm inspect SCENE [--json] [-o FILE]`.
+[[nodiscard]] CommandAction add_inspect_command(CLI::App& app);
 /// `pxm compare A B`.
 [[nodiscard]] CommandAction add_compare_command(CLI::App& app);
+/// `pxm import FILE [-o SCENE]`.
+[[nodiscard]] CommandAction add_import_command(CLI::App& app);
 /// `pxm models`.
 [[nodiscard]] CommandAction add_models_command(CLI::App& app);
 

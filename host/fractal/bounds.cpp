@@ -8,6 +8,7 @@
 
 #include "host/fractal/enclosing_ball.hpp"
 #include "host/fractal/farthest.hpp"
+#include "host/fractal/grid_bounds.hpp"
 #include "host/fractal/image_box.hpp"
 #include "host/fractal/inner_points.hpp"
 #include "host/fractal/invariant_ball.hpp"
@@ -20,16 +21,20 @@ namespace {
 constexpr double margin = 1e-9;              // of the size: added to the volumes returned
 constexpr double coordinate_margin = 1e-11;  // of the coordinates, for their rounding
 constexpr double box_tolerance = 1e-6;       // of the size
+constexpr double oriented_tolerance = 1e-4;  // of the size
 constexpr double ball_tolerance = 0.003;  // of the radius: a ball this near to the smallest will do
 constexpr double coarse = 1e-2;           // of the size: looser boxes get another round
-constexpr long first_budget = 500'000;    // cells looked at for all boxes, and balls, of a round
+constexpr long first_budget = 200'000;    // cells looked at for all boxes, and balls, of a round
 constexpr long budget_per_edge = 4;       // ... and more where there are many maps
 constexpr long declared_budget = 1'000'000;  // ... for one declared volume
 constexpr int most_rounds = 3;
 constexpr long large_graph = 50'000;  // edges: a system of this size gets one round
 constexpr int most_moves = 40;        // of a ball's centre
+constexpr long cells_per_move = 100;  // that a move costs as much as, besides its own
 
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+double volume(const glm::dvec3& sides) { return sides.x * sides.y * sides.z; }
 
 double coordinate_size(const Bounds& bounds) {
     return largest(glm::max(glm::abs(bounds.box.low), glm::abs(bounds.box.high)));
@@ -71,6 +76,22 @@ double tighten_box(const Rifs& rifs, Approximation& known, int set, long budget)
     return slack;
 }
 
+/// The box along the principal axes of the set's points, if it is smaller than the box along the
+/// coordinate axes: a descent is as quick for a set askew as for one that is not.
+void tighten_oriented_box(const Rifs& rifs, Approximation& known, int set, long budget) {
+    const double tolerance = oriented_tolerance * size_of(known.inner[set], known.outer[set]);
+    const glm::dmat3 axes = principal_axes(known.inner[set]);
+    glm::dvec3 low;
+    glm::dvec3 high;
+    for (int i = 0; i < 3; ++i) {
+        high[i] = reach(rifs, known, set, axes[i], tolerance, budget / 6).upper;
+        low[i] = -reach(rifs, known, set, -axes[i], tolerance, budget / 6).upper;
+    }
+    const Box& box = known.outer[set].box;
+    const bool smaller = volume(high - low) < volume(box.high - box.low);
+    known.oriented[set] = smaller ? oriented_box(axes, low, high) : as_oriented(box);
+}
+
 /// Shrinks the ball of one set: the smallest ball of some of its points is moved until no point of
 /// the set lies far outside. Returns how much larger than the smallest the ball may be, as a share.
 double tighten_ball(const Rifs& rifs, Approximation& known, int set, long budget) {
@@ -83,7 +104,7 @@ double tighten_ball(const Rifs& rifs, Approximation& known, int set, long budget
         const double enough = inner.radius * (1 + ball_tolerance);
         const FarthestGoal goal{enough, inner.radius * ball_tolerance / 4, 0.25, budget / 2};
         const Reach found = farthest(rifs, known, set, inner.center, goal);
-        budget -= std::max(found.cells, 1L);
+        budget -= found.cells + cells_per_move;
         if (found.upper < best.radius) best = {inner.center, found.upper};
         if (found.upper <= enough || found.lower <= inner.radius * (1 + ball_tolerance / 4)) break;
         points.push_back(found.point);
@@ -100,19 +121,28 @@ void add_margin(Bounds& bounds) {
     bounds.box.high += more;
 }
 
-/// One set at a time, those farthest down first would be best; any order is correct.
-double tighten(const Rifs& rifs, Approximation& known) {
-    const long sets = static_cast<long>(known.outer.size());
+long edges_of(const Rifs& rifs) {
     long edges = 0;
     for (const FollowSet& set : rifs.follow_sets) edges += static_cast<long>(set.maps.size());
+    return edges;
+}
+
+/// Shrinks boxes, then balls, one set at a time. Returns the largest share by which one may be
+/// loose.
+double tighten(const Rifs& rifs, Approximation& known) {
+    const long sets = static_cast<long>(known.outer.size());
+    const long edges = edges_of(rifs);
     const long budget = (first_budget + budget_per_edge * edges) / sets;
     double slack = 0;
     for (int s = 0; s < sets; ++s) {
         slack = std::max(slack, tighten_box(rifs, known, s, budget));
+        if (edges <= large_graph) tighten_oriented_box(rifs, known, s, budget);
     }
     shrink_boxes(rifs, known.outer);
     for (int s = 0; s < sets; ++s) {
-        known.outer[s].ball_slack = tighten_ball(rifs, known, s, budget);
+        double& ball_slack = known.outer[s].ball_slack;
+        ball_slack = tighten_ball(rifs, known, s, budget);
+        slack = std::max(slack, ball_slack);
     }
     return slack;
 }
@@ -124,8 +154,11 @@ std::vector<Bounds> bound(const Rifs& rifs, const Contraction& contraction) {
     known.inner = inner_points(rifs);
     known.outer = invariant_volumes(rifs, contraction, known.inner);
     shrink_boxes(rifs, known.outer);
-    // A second round starts from the first one's volumes and gets farther with the same budget.
-    for (int round = 0; round < most_rounds; ++round) {
+    for (const Bounds& bounds : known.outer) known.oriented.push_back(as_oriented(bounds.box));
+    const int rounds = edges_of(rifs) <= large_graph ? most_rounds : 1;
+    // A further round starts from the volumes of the last and gets farther with the same budget.
+    for (int round = 0; round < rounds; ++round) {
+        if (round > 0) refine_by_grid(rifs, known);
         if (tighten(rifs, known) <= coarse) break;
     }
     for (Bounds& bounds : known.outer) add_margin(bounds);
@@ -134,7 +167,7 @@ std::vector<Bounds> bound(const Rifs& rifs, const Contraction& contraction) {
 
 double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
                 const SphereVolume& volume) {
-    const Approximation known{bounds, inner_points(rifs)};
+    const Approximation known = approximation(rifs, bounds);
     const double rounding =
         margin * bounds[set].ball.radius + coordinate_margin * coordinate_size(bounds[set]);
     const FarthestGoal goal{volume.radius + rounding, rounding, 1e-3, declared_budget};
@@ -144,7 +177,7 @@ double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
 
 double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
                 const BoxVolume& volume) {
-    const Approximation known{bounds, inner_points(rifs)};
+    const Approximation known = approximation(rifs, bounds);
     const double rounding =
         margin * bounds[set].ball.radius + coordinate_margin * coordinate_size(bounds[set]);
     double over = -std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 #include "host/fractal/farthest.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -18,7 +19,7 @@ struct Cell {
     Affine map;
 };
 
-/// An upper bound of the squared norm of a matrix, exact for uniform scales and for boxes' axes.
+/// An upper bound of the squared norm of a matrix, exact for uniform scales.
 double norm_squared(const glm::dmat3& m) {
     double frobenius = 0;
     double columns = 0;
@@ -32,25 +33,36 @@ double norm_squared(const glm::dmat3& m) {
     return std::min(frobenius, columns * std::max({rows.x, rows.y, rows.z}));
 }
 
-/// |d + v|^2 = |d|^2 + 2 d.v + |v|^2 for v = map.direction(y), y in the ball of radius r about 0.
-double reach_of_ball(const Affine& map, const Ball& ball, const glm::dvec3& from) {
-    const glm::dvec3 d = map.point(ball.center) - from;
-    const double turned = glm::length(d * map.linear);
-    return glm::dot(d, d) + ball.radius * (2 * turned + ball.radius * norm_squared(map.linear));
+/// The squared distance that map(E) reaches from a point d away from map(center): with
+/// v = map.direction(y - center), |d + v|^2 = |d|^2 + 2 d.v + |v|^2, and |v|^2 <= `spread`.
+double reach_about(const glm::dvec3& center, double spread, const Affine& map,
+                   const glm::dvec3& from, const Approximation& known, int set) {
+    const glm::dvec3 d = map.point(center) - from;
+    const glm::dvec3 u = d * map.linear;  // d.v = u.(y - center)
+    return glm::dot(d, d) + 2 * (volume_support(known, set, u) - glm::dot(u, center)) + spread;
 }
 
-/// The same for y in a box: |v|^2 is at most the sum of |g_i . g_j|, g the images of the half axes.
-double reach_of_box(const Affine& map, const Box& box, const glm::dvec3& from) {
-    const glm::dvec3 half = (box.high - box.low) / 2.0;
-    const glm::dvec3 d = map.point((box.low + box.high) / 2.0) - from;
-    glm::dmat3 g = map.linear;
-    double reach = glm::dot(d, d);
+/// |v|^2 for y in a box about its centre: at most the sum of |g_i . g_j|, g the half axes' images.
+double spread_of(const OrientedBox& box, const Affine& map) {
+    double spread = 0;
+    std::array<glm::dvec3, 3> g;
     for (int i = 0; i < 3; ++i) {
-        g[i] *= half[i];
-        reach += 2 * std::abs(glm::dot(d, g[i])) + glm::dot(g[i], g[i]);
-        for (int j = 0; j < i; ++j) reach += 2 * std::abs(glm::dot(g[i], g[j]));
+        g[i] = map.direction(box.half[i]);
+        spread += glm::dot(g[i], g[i]);
+        for (int j = 0; j < i; ++j) spread += 2 * std::abs(glm::dot(g[i], g[j]));
     }
-    return reach;
+    return spread;
+}
+
+double distance_reached(const Affine& map, const Approximation& known, int set,
+                        const glm::dvec3& from) {
+    const Ball& ball = known.outer[set].ball;
+    const OrientedBox& box = known.oriented[set];
+    const double of_ball = ball.radius * ball.radius * norm_squared(map.linear);
+    const double squared =
+        std::min(reach_about(ball.center, of_ball, map, from, known, set),
+                 reach_about(box.center, spread_of(box, map), map, from, known, set));
+    return std::sqrt(std::max(squared, 0.0));
 }
 
 class FarthestSearch {
@@ -87,10 +99,7 @@ class FarthestSearch {
     }
 
     void add(double limit, int set, const Affine& map) {
-        const Bounds& outer = known_.outer[set];
-        const double reach = std::sqrt(
-            std::min(reach_of_ball(map, outer.ball, from_), reach_of_box(map, outer.box, from_)));
-        const double upper = std::min(limit, reach);
+        const double upper = std::min(limit, distance_reached(map, known_, set, from_));
         look_at_points(set, map);
         if (upper <= lower_ + goal_.tolerance || upper <= goal_.enough) {
             upper_of_dropped_ = std::max(upper_of_dropped_, upper);

@@ -136,6 +136,12 @@ std::vector<Points> inner_points(const Rifs& rifs) {
     return points;
 }
 
+Points extremes_of(const Points& points) {
+    Extremes extremes;
+    for (const glm::dvec3& point : points) extremes.offer(point);
+    return extremes.points();
+}
+
 glm::dvec3 fixed_point(const Affine& map) {
     // x = x T + a. Eigen's column i is the thesis' row i.
     Eigen::Matrix3d left = Eigen::Matrix3d::Identity();

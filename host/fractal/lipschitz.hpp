@@ -9,7 +9,7 @@
 
 namespace pxm::host {
 
-/// T = U diag(values) V^T, values falling. In row-vector terms x T: see singular_values.cpp.
+/// T = U diag(values) V^T, values falling. In row-vector terms x T: see lipschitz.cpp.
 struct SingularValues {
     std::array<double, 3> values;      // largest first
     std::array<glm::dvec3, 3> input;   // unit: direction that is stretched by values[i] ...

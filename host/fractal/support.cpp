@@ -88,7 +88,7 @@ class ReachSearch {
     /// Takes a cell in unless it cannot reach farther than what is known. Its `upper` is its
     /// parent's.
     void add(Cell cell) {
-        const double outer = volume_support(known_.outer[cell.set], cell.direction);
+        const double outer = volume_support(known_, cell.set, cell.direction);
         const glm::dvec3& point = extreme(known_.inner[cell.set], cell.direction);
         const double inner = glm::dot(point, cell.direction);
         cell.upper = std::min(cell.upper, cell.offset + outer);
@@ -172,15 +172,7 @@ Reach reach(const Rifs& rifs, const Approximation& known, int set, const glm::dv
 
 double support(const Rifs& rifs, const std::vector<Bounds>& bounds, int set, const glm::dvec3& u,
                double tolerance) {
-    return reach(rifs, {bounds, inner_points(rifs)}, set, u, tolerance, default_budget).upper;
-}
-
-double volume_support(const Bounds& bounds, const glm::dvec3& u) {
-    const double of_ball = glm::dot(bounds.ball.center, u) + bounds.ball.radius * glm::length(u);
-    const glm::dvec3 farthest_corner{u.x > 0 ? bounds.box.high.x : bounds.box.low.x,
-                                     u.y > 0 ? bounds.box.high.y : bounds.box.low.y,
-                                     u.z > 0 ? bounds.box.high.z : bounds.box.low.z};
-    return std::min(of_ball, glm::dot(farthest_corner, u));
+    return reach(rifs, approximation(rifs, bounds), set, u, tolerance, default_budget).upper;
 }
 
 }  // namespace pxm::host

@@ -8,16 +8,9 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "host/fractal/bounds.hpp"
-#include "host/fractal/inner_points.hpp"
+#include "host/fractal/approximation.hpp"
 
 namespace pxm::host {
-
-/// What is known of the E_s: volumes that contain them and points that belong to them.
-struct Approximation {
-    std::vector<Bounds> outer;
-    std::vector<Points> inner;
-};
 
 struct Reach {
     double upper = 0;  // h is not larger
@@ -33,8 +26,5 @@ struct Reach {
 /// h_set(u) from above, to `tolerance` unless that takes too long. `bounds` as from bound().
 [[nodiscard]] double support(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
                              const glm::dvec3& u, double tolerance);
-
-/// The support function of a set's volumes: the smaller of its ball's and its box's.
-[[nodiscard]] double volume_support(const Bounds& bounds, const glm::dvec3& u);
 
 }  // namespace pxm::host

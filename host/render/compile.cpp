@@ -20,6 +20,7 @@ namespace pxm::host {
 
 namespace {
 
+constexpr double vanishing = 1e-12;  // of the largest singular value, as classify() has it
 constexpr double first_lift = 1e-4;  // thickness of lifted maps before the size of a pixel is known
 constexpr double least_lift = 1e-6;  // thinner would cost a float its digits
 constexpr double most_lift = 1e-2;   // coarser pixels do not make flat images thicker
@@ -43,18 +44,25 @@ void lift_singular_maps(Fractal& fractal, double thickness) {
     }
 }
 
-/// The smallest extent, along the axes that singular maps squash, of what may stand inside them; at
-/// most the diameter of the largest ball.
+/// The axes that a singular map squashes to nothing.
+std::vector<glm::dvec3> lost_axes(const Affine& map) {
+    std::vector<glm::dvec3> axes;
+    if (classify(map) != MapKind::singular) return axes;
+    const SingularValues values = singular_values(map.linear);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (values.values[axis] <= vanishing * values.values[0]) axes.push_back(values.input[axis]);
+    }
+    return axes;
+}
+
+/// The smallest extent, along the axes that singular maps squash, of what may stand inside them.
 double squashed_extent(const Fractal& fractal) {
     double smallest = INFINITY;
     for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
-        if (classify(fractal.exact.maps[i]) != MapKind::singular) continue;
-        const SingularValues values = singular_values(fractal.exact.maps[i].linear);
         const Bounds& inside = fractal.bounds[static_cast<std::size_t>(fractal.rifs.follow_of[i])];
         const glm::dvec3 size = inside.box.high - inside.box.low;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (values.values[axis] > 1e-12 * values.values[0]) continue;
-            const double extent = glm::dot(glm::abs(values.input[axis]), size);
+        for (const glm::dvec3& axis : lost_axes(fractal.exact.maps[i])) {
+            const double extent = glm::dot(glm::abs(axis), size);
             if (extent > 1e-6 * inside.ball.radius) smallest = std::min(smallest, extent);
         }
     }
@@ -169,7 +177,8 @@ CompiledShape make_shape(const IfsBlock& block, const Fractal& fractal, const Fr
         shape.maps.push_back({{map.linear, (map.point(frame.center) - frame.center) / frame.scale},
                               constant_by(method, map),
                               block.maps[i].color.value_or(glm::dvec4{0.0}),
-                              rifs.follow_of[i]});
+                              rifs.follow_of[i],
+                              lost_axes(fractal.exact.maps[i])});
     }
     return shape;
 }

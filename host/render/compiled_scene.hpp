@@ -35,6 +35,7 @@ struct CompiledMap {
     double constant = 0;  // by the shape's Lipschitz method
     glm::dvec4 color{0.0};
     int follow_set = 0;
+    std::vector<glm::dvec3> lost;  // unit axes that the map squashed before it was lifted
 };
 
 /// A linear fractal with its volumes: the master object that objects are instances of. Its

@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "dsp_kernels/flatness.hpp"
 #include "host/fractal/lipschitz.hpp"
 #include "pxm/real.hpp"
 
@@ -104,6 +105,12 @@ std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) 
         block.affine(address + Map::inverse, inverse(map.map));
         block.linear(address + Map::linear, map.map.linear);
         block.real(address + Map::constant, map.constant);
+        std::uint32_t axes = 0;
+        for (const glm::dvec3& axis : map.lost) {
+            if (axes == kernels::most_lost_axes) break;
+            block.vector(address + Map::lost + 3 * real_words<Real> * axes++, axis);
+        }
+        block.integer(address + Map::lost_axes, axes);
         block.vector(address + Map::color, glm::dvec3{map.color});
         block.real(address + Map::color + 3 * real_words<Real>, map.color.a);
     }

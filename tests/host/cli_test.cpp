@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "tests/support/program.hpp"
+#include "tests/support/command.hpp"
 
 namespace pxm::test {
 namespace {
@@ -45,8 +45,8 @@ TEST_F(CommandLine, help_and_version_are_answered_on_stdout) {
 
 TEST_F(CommandLine, a_missing_or_unknown_command_is_code_2) {
     expect_refusal(folder, {}, 2, "A subcommand is required" + usage);
-    expect_refusal(folder, {"redner", "tetra.pxm"}, 2,
-                   "unknown command \"redner\", expected one of render compare");
+    expect_refusal_naming(folder, {"redner", "tetra.pxm"}, 2,
+                          {"unknown command \"redner\", expected one of", "render", "compare"});
     expect_refusal(folder, {"render"}, 2, "scene is required" + usage);
     expect_refusal(folder, {"compare", "a.exr"}, 2, "b is required" + usage);
     expect_refusal(folder, {"render", ""}, 2, "scene: found \"\", expected a value" + usage);

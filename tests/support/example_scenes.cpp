@@ -240,6 +240,11 @@ std::vector<Example> example_scenes(const std::string& size) {
                             scene_of("dodec", "shading: high-pass", image) +
                                 fmt::format("object a {{ ifs: dodec levels: {} }}", levels)});
     }
+    for (Example& example : examples) {
+        for (char& c : example.name) {
+            if (c == '-' || c == '.') c = '_';
+        }
+    }
     return examples;
 }
 

@@ -2,6 +2,7 @@
 // kernel must get right.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,11 @@ namespace pxm::test {
                                    const std::string& image = "size: 40,30");
 
 struct Example {
-    std::string name;
+    std::string name;  // letters, digits and underscores: also the name of a test
     std::string text;
 };
+/// What GoogleTest says for it.
+inline void PrintTo(const Example& example, std::ostream* out) { *out << example.name; }
 
 /// Whole scenes: the systems above, several views, objects, volumes, methods, details and levels.
 /// `size` is the image's, "columns,rows".

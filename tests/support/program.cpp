@@ -8,9 +8,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -27,21 +24,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double patience_seconds = 120;  // for a run that nobody means to interrupt
-
-std::string file_text(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-std::string file_text(std::FILE* file) {
-    std::string text;
-    char buffer[4096];
-    std::rewind(file);
-    for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file)) > 0;) {
-        text.append(buffer, n);
-    }
-    return text;
-}
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
     std::vector<char*> list;
@@ -61,42 +43,6 @@ Environment child_environment(const Environment& additions) {
 }
 
 }  // namespace
-
-Folder::Folder() {
-    std::string pattern = (fs::temp_directory_path() / "pxm-test-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
-
-std::string Folder::path(const std::string& name) const { return (path_ / name).string(); }
-
-void Folder::write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-}
-
-std::string Folder::read(const std::string& name) const { return file_text(path_ / name); }
-
-bool Folder::has(const std::string& name) const { return fs::exists(path_ / name); }
-
-std::map<std::string, std::string> Folder::contents() const {
-    std::map<std::string, std::string> all;
-    for (const auto& entry : fs::recursive_directory_iterator(path_)) {
-        all[fs::relative(entry.path(), path_).string()] =
-            entry.is_regular_file() ? file_text(entry.path()) : "";
-    }
-    return all;
-}
-
-std::vector<std::string> Folder::names() const {
-    std::vector<std::string> list;
-    for (const auto& [name, text] : contents()) list.push_back(name);
-    return list;
-}
 
 Process::Process(const Folder& folder, const Arguments& arguments, const Environment& environment)
     : out_(std::tmpfile(), &std::fclose), err_(std::tmpfile(), &std::fclose) {
@@ -124,7 +70,7 @@ Process::~Process() {
 void Process::wait_until_it_catches(int signal) const {
     const fs::path status = fs::path("/proc") / std::to_string(pid_) / "status";
     for (int i = 0; i < 20'000; ++i) {
-        std::istringstream lines(file_text(status));
+        std::istringstream lines(text_of(status));
         for (std::string line; std::getline(lines, line);) {
             if (!line.starts_with("SigCgt:")) continue;
             const std::uint64_t caught = std::stoull(line.substr(line.find('\t') + 1), nullptr, 16);
@@ -153,51 +99,14 @@ Outcome Process::wait(double limit_seconds) {
     }
     pid_ = -1;
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    outcome.out = file_text(out_.get());
-    outcome.err = file_text(err_.get());
+    outcome.out = text_of(out_.get());
+    outcome.err = text_of(err_.get());
     return outcome;
 }
 
-Outcome run(const Folder& folder, const Arguments& arguments, const Environment& environment) {
+Outcome run_program(const Folder& folder, const Arguments& arguments,
+                    const Environment& environment) {
     return Process(folder, arguments, environment).wait(patience_seconds);
 }
-
-void expect_refusal(const Folder& folder, const Arguments& arguments, int exit_code,
-                    const std::string& message) {
-    const auto before = folder.contents();
-    const Outcome outcome = run(folder, arguments);
-    EXPECT_EQ(outcome.exit_code, exit_code);
-    EXPECT_EQ(outcome.err, "pxm: " + message + "\n");
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(folder.contents(), before);
-}
-
-void expect_refusal_naming(const Folder& folder, const Arguments& arguments, int exit_code,
-                           const std::vector<std::string>& parts) {
-    const auto before = folder.contents();
-    const Outcome outcome = run(folder, arguments);
-    EXPECT_EQ(outcome.exit_code, exit_code);
-    EXPECT_EQ(outcome.err.rfind("pxm: "), 0U) << outcome.err;
-    for (const std::string& part : parts) {
-        EXPECT_NE(outcome.err.find(part), std::string::npos) << part << " in\n" << outcome.err;
-    }
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(folder.contents(), before);
-}
-
-std::string expect_done(const Folder& folder, const Arguments& arguments,
-                        const Environment& environment) {
-    const Outcome outcome = run(folder, arguments, environment);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.err;
-}
-
-const char* const tetra_scene =
-    "ifs tetra {\n"
-    "    newmap scale: 0.5 translate: 0,0.5,0\n"
-    "    newmap scale: 0.5 translate: 0,-0.166,-0.472\n"
-    "    newmap scale: 0.5 translate: 0.409,-0.166,0.236\n"
-    "    newmap scale: 0.5 translate: -0.409,-0.166,0.236\n"
-    "}\n";
 
 }  // namespace pxm::test

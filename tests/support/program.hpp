@@ -1,37 +1,17 @@
-// The program as its user meets it: bin/pxm as a process of its own, in a folder of its own.
+// The program as its user meets it: bin/pxm as a process of its own. Starting it takes a while (its
+// image library brings some 250 others along): most tests of the command line use command.hpp.
 #pragma once
 
 #include <sys/types.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "tests/support/folder.hpp"
+
 namespace pxm::test {
-
-/// A new empty folder, removed with all it holds at the end of the test.
-class Folder {
-  public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] std::string path(const std::string& name = "") const;
-    void write(const std::string& name, const std::string& text) const;
-    [[nodiscard]] std::string read(const std::string& name) const;
-    [[nodiscard]] bool has(const std::string& name) const;
-    /// Everything in it by name, hidden files too, with the files' bytes.
-    [[nodiscard]] std::map<std::string, std::string> contents() const;
-    /// The names alone, sorted.
-    [[nodiscard]] std::vector<std::string> names() const;
-
-  private:
-    std::filesystem::path path_;
-};
 
 /// How a run of the program ended.
 struct Outcome {
@@ -67,23 +47,7 @@ class Process {
 };
 
 /// Runs the program in the folder to its end. SOURCE_DATE_EPOCH and NO_COLOR are not inherited.
-[[nodiscard]] Outcome run(const Folder& folder, const Arguments& arguments,
-                          const Environment& environment = {});
-
-/// Expects the program to refuse: that exit code, exactly this one message, nothing on stdout, and
-/// every file in the folder as it was.
-void expect_refusal(const Folder& folder, const Arguments& arguments, int exit_code,
-                    const std::string& message);
-/// The same where the message's details are not ours: it must contain each of these, and `pxm: `
-/// once, at its beginning.
-void expect_refusal_naming(const Folder& folder, const Arguments& arguments, int exit_code,
-                           const std::vector<std::string>& parts);
-
-/// Expects success; what it wrote on stderr.
-std::string expect_done(const Folder& folder, const Arguments& arguments,
-                        const Environment& environment = {});
-
-/// Sierpinski's tetrahedron as four homotheties, and nothing else.
-extern const char* const tetra_scene;
+[[nodiscard]] Outcome run_program(const Folder& folder, const Arguments& arguments,
+                                  const Environment& environment = {});
 
 }  // namespace pxm::test

@@ -64,40 +64,44 @@ Points enumerated(const Rifs& rifs, std::size_t count) {
     return points;
 }
 
-/// The reach of the attractor from below: a breadth-first descent that keeps the most promising
-/// words.
-double beam_reach(const Rifs& rifs, const glm::dvec3& u, int depth) {
-    struct Word {
-        double offset;
-        glm::dvec3 direction;
-        int set;
-    };
-    constexpr std::size_t width = 100;
-    std::vector<Word> words{{0, u, rifs.start}};
+/// A word of maps, and what it does to the reach in the direction that is looked in.
+struct Word {
+    double offset;
+    glm::dvec3 direction;
+    int set;
+    Affine composed;
+};
+
+/// The farthest point in direction u, from below: a descent that keeps the most promising words.
+glm::dvec3 beam_point(const Rifs& rifs, const glm::dvec3& u, int depth, std::size_t width) {
+    std::vector<Word> words{{0, u, rifs.start, {}}};
     for (int level = 0; level < depth; ++level) {
         std::vector<Word> longer;
         for (const Word& word : words) {
             for (const int m : rifs.follow_sets[word.set].maps) {
                 longer.push_back({word.offset + glm::dot(word.direction, rifs.maps[m].translation),
-                                  word.direction * rifs.maps[m].linear, rifs.follow_of[m]});
+                                  word.direction * rifs.maps[m].linear, rifs.follow_of[m],
+                                  then(rifs.maps[m], word.composed)});
             }
         }
-        const auto better = [](const Word& a, const Word& b) { return a.offset > b.offset; };
         const std::size_t kept = std::min(width, longer.size());
-        std::nth_element(longer.begin(), longer.begin() + static_cast<std::ptrdiff_t>(kept) - 1,
-                         longer.end(), better);
+        std::partial_sort(longer.begin(), longer.begin() + static_cast<std::ptrdiff_t>(kept),
+                          longer.end(),
+                          [](const Word& a, const Word& b) { return a.offset > b.offset; });
         longer.resize(kept);
         words = longer;
     }
-    double reach = words.front().offset;
-    for (const Word& word : words) reach = std::max(reach, word.offset);
-    return reach;
+    return words.front().composed.point(glm::dvec3{0.0});
+}
+
+double beam_reach(const Rifs& rifs, const glm::dvec3& u, int depth) {
+    return glm::dot(u, beam_point(rifs, u, depth, 100));
 }
 
 TEST(Bounds, ball_and_box_contain_every_enumerated_point) {
     for (const auto& [name, rifs] : systems::thesis_systems()) {
         const Bounds bounds = bound_of(rifs)[rifs.start];
-        for (const glm::dvec3& point : enumerated(rifs, 5'000)) {
+        for (const glm::dvec3& point : enumerated(rifs, 2'000)) {
             ASSERT_TRUE(contains(bounds.ball, point)) << name;
             ASSERT_TRUE(contains(bounds.box, point)) << name;
         }
@@ -107,7 +111,14 @@ TEST(Bounds, ball_and_box_contain_every_enumerated_point) {
 TEST(Bounds, ball_is_within_one_percent_of_the_smallest_around_enumerated_points) {
     for (const auto& [name, rifs] : systems::thesis_systems()) {
         const Bounds bounds = bound_of(rifs)[rifs.start];
-        const double smallest = enclosing_ball(enumerated(rifs, 5'000)).radius;
+        Points points = enumerated(rifs, 2'000);
+        std::mt19937_64 random(3);
+        std::normal_distribution<double> normal;
+        for (int i = 0; i < 120; ++i) {
+            const glm::dvec3 u{normal(random), normal(random), normal(random)};
+            points.push_back(beam_point(rifs, u, 60, 16));
+        }
+        const double smallest = enclosing_ball(points).radius;
         EXPECT_LE(bounds.ball.radius, 1.01 * smallest) << name;
         EXPECT_LE(bounds.ball_slack, 0.003) << name;
     }
@@ -118,13 +129,30 @@ TEST(Bounds, box_is_tight_to_a_ten_thousandth_of_the_diameter) {
         const Contraction contraction = prove_contraction(rifs);
         const Bounds bounds = bound(rifs, contraction)[rifs.start];
         const double allowed = 1e-4 * 2 * bounds.ball.radius;
-        const int depth = std::min(depth_for(contraction.rate), 150);
+        const int depth = std::min(depth_for(contraction.rate), 120);
         for (int axis = 0; axis < 3; ++axis) {
             glm::dvec3 u{0.0};
             u[axis] = 1;
             EXPECT_NEAR(bounds.box.high[axis], beam_reach(rifs, u, depth), allowed) << name;
             EXPECT_NEAR(-bounds.box.low[axis], beam_reach(rifs, -u, depth), allowed) << name;
         }
+    }
+}
+
+TEST(Bounds, two_slow_turning_maps_are_bounded_by_the_grid) {
+    // A descent meets 2^k cells and stays at the first ball's 31.8.
+    const Rifs rifs =
+        complete({map({scaling(glm::dvec3{0.97}), rotation(Axis::z, 31), translation({1, 0, 0})}),
+                  map({scaling(glm::dvec3{0.97}), rotation(Axis::x, 17), translation({0, 1, 0})})});
+    const Bounds bounds = bound_of(rifs)[0];
+    EXPECT_LE(bounds.ball_slack, 0.06);
+    std::mt19937_64 random(2);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < 25; ++i) {
+        const glm::dvec3 u{normal(random), normal(random), normal(random)};
+        const glm::dvec3 point = beam_point(rifs, u, 700, 5);
+        EXPECT_TRUE(contains(bounds.ball, point));
+        EXPECT_TRUE(contains(bounds.box, point));
     }
 }
 
@@ -141,8 +169,8 @@ TEST(Bounds, the_box_of_grass_is_not_fooled_by_slow_contraction) {
 }
 
 TEST(Bounds, random_systems_lie_in_their_bounds) {
-    for (unsigned seed = 0; seed < 60; ++seed) {
-        const double largest = seed % 4 == 0 ? 0.95 : 0.7;
+    for (unsigned seed = 0; seed < 48; ++seed) {
+        const double largest = seed % 8 == 0 ? 0.95 : 0.7;
         const Rifs rifs = systems::random_system(seed, largest);
         const std::vector<Bounds> bounds = bound_of(rifs);
         std::mt19937_64 random(seed);
@@ -182,7 +210,7 @@ TEST(Bounds, scale_does_not_matter) {
         Rifs rifs = systems::elm();
         for (Affine& affine : rifs.maps) affine.translation *= scale;
         const Bounds bounds = bound_of(rifs)[0];
-        EXPECT_NEAR(bounds.ball.radius / scale, one.ball.radius, 1e-6);
+        EXPECT_NEAR(bounds.ball.radius / scale, one.ball.radius, 0.003 * one.ball.radius);
         EXPECT_NEAR(bounds.box.high.y / scale, one.box.high.y, 1e-5);
     }
 }

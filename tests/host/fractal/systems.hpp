@@ -133,7 +133,7 @@ inline Rifs pine() {
          map({rotation(Axis::y, 31), scaling({0.82, 0.84, 0.82}), translation({0, 0.15, 0})})});
 }
 
-/// The 3-D pound sign (Sec. 4.5): the octants of a cube, no map twice in a row.
+/// The 3-D pound sign (Fig. 4.4): the octants of a cube, no map twice in a row.
 inline Rifs pound_sign() {
     std::vector<glm::dvec3> offsets;
     std::vector<std::vector<int>> follow;

@@ -1,8 +1,6 @@
 // The picture against the enumerated attractor, which knows maps and graph but no volumes.
 #include <gtest/gtest.h>
 
-#include <fmt/format.h>
-
 #include <glm/geometric.hpp>
 
 #include "tests/support/compile_text.hpp"
@@ -67,20 +65,30 @@ double expect_no_holes(const CompiledScene& scene, const Frame& frame, const Enu
 
 class Attractor : public testing::TestWithParam<const char*> {};
 
-TEST_P(Attractor, is_shown_where_it_is_and_nowhere_else) {
-    const CompiledScene scene = compile_text(scene_of(GetParam(), "", "size: 32,24"));
+TEST_P(Attractor, is_near_every_hit) {
+    const CompiledScene scene = compile_text(scene_of(GetParam(), "", "size: 20,15"));
     const Enumeration points(scene);
     ASSERT_GT(points.points(), 100);
     for (const Numeric numeric : {Numeric::single, Numeric::twice}) {
-        const Frame frame = render_natively(scene, numeric).frame;
-        expect_hits_near_points(scene, frame, points);
-        EXPECT_GE(expect_no_holes(scene, frame, points), 0.5);
+        expect_hits_near_points(scene, render_natively(scene, numeric).frame, points);
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Systems, Attractor,
                          testing::Values("tetra", "octo", "menger", "dodec", "asymmetric",
                                          "hierarchical", "mirrored", "squashed", "bulging"));
+
+/// Systems whose pieces are not thinner than a pixel: between rays those are rightly missed.
+TEST(Attractor, is_shown_without_holes) {
+    for (const char* name : {"tetra", "octo", "menger", "icos", "mirrored", "asymmetric"}) {
+        const CompiledScene scene = compile_text(scene_of(name, "", "size: 20,15"));
+        const Enumeration points(scene);
+        for (const Numeric numeric : {Numeric::single, Numeric::twice}) {
+            const Frame frame = render_natively(scene, numeric).frame;
+            EXPECT_GE(expect_no_holes(scene, frame, points), 0.6) << name;
+        }
+    }
+}
 
 /// A camera of one pixel whose ray goes through `target`; p as in the scene.
 CompiledScene aimed_at(CompiledScene scene, const glm::dvec3& target) {
@@ -97,30 +105,32 @@ CompiledScene aimed_at(CompiledScene scene, const glm::dvec3& target) {
 }
 
 /// A point of the attractor lies in every volume along its word, so its ray cannot miss.
-TEST(Attractor, is_hit_by_every_ray_through_one_of_its_points) {
-    for (const Example& example : example_scenes("64,48")) {
-        if (example.name.find("levels") != std::string::npos) continue;
-        const CompiledScene scene = compile_text(example.text);
-        for (int object = 0; object < static_cast<int>(scene.objects.size()); ++object) {
-            for (const glm::dvec3& point : random_points(scene, object, 10, 7)) {
-                const double depth = scene.camera.projection == kernels::Projection::orthographic
-                                         ? glm::dot(point, scene.camera.forward)
-                                         : glm::length(point);
-                const CompiledScene aimed = aimed_at(scene, point);
-                const PixelRecord twice = render_natively(aimed, Numeric::twice).frame.at(0, 0);
-                EXPECT_LE(static_cast<double>(twice.z), (1 + 1e-6) * depth * scene.unit)
-                    << example.name << ' ' << object;
-                const PixelRecord single = render_natively(aimed, Numeric::single).frame.at(0, 0);
-                EXPECT_LE(static_cast<double>(single.z),
-                          (depth + pixel_size(scene, depth)) * scene.unit)
-                    << example.name << ' ' << object;
-            }
+void expect_rays_through_points_hit(const std::string& name, const CompiledScene& scene) {
+    const bool orthographic = scene.camera.projection == kernels::Projection::orthographic;
+    for (int object = 0; object < static_cast<int>(scene.objects.size()); ++object) {
+        for (const glm::dvec3& point : random_points(scene, object, 10, 7)) {
+            const double depth =
+                orthographic ? glm::dot(point, scene.camera.forward) : glm::length(point);
+            const CompiledScene aimed = aimed_at(scene, point);
+            const PixelRecord twice = render_natively(aimed, Numeric::twice).frame.at(0, 0);
+            EXPECT_LE(static_cast<double>(twice.z), (1 + 1e-6) * depth * scene.unit)
+                << name << ' ' << object;
+            const PixelRecord single = render_natively(aimed, Numeric::single).frame.at(0, 0);
+            EXPECT_LE(static_cast<double>(single.z),
+                      (depth + pixel_size(scene, depth)) * scene.unit)
+                << name << ' ' << object;
         }
     }
 }
 
+TEST(Attractor, is_hit_by_every_ray_through_one_of_its_points) {
+    for (const Example& example : example_scenes("64,48")) {
+        expect_rays_through_points_hit(example.name, compile_text(example.text));
+    }
+}
+
 /// A singular map has no inverse, yet its image is part of the attractor.
-TEST(Attractor, of_singular_maps_is_shown) {
+TEST(Attractor, of_singular_maps_is_shown_where_it_is) {
     const CompiledScene scene = compile_text(
         "ifs fern { newmap stem scale: 0,0.16,0 "
         "newmap scale: 0.85 rotate: z,-3 rotate: x,5 translate: 0,1.6,0 "
@@ -128,11 +138,10 @@ TEST(Attractor, of_singular_maps_is_shown) {
         "newmap scale: 0.3,0.37,0.3 rotate: z,-50 rotate: y,30 translate: 0,0.44,0 } "
         "image { size: 32,24 }");
     ASSERT_TRUE(scene.shapes[0].lifted);
+    expect_rays_through_points_hit("fern", scene);
     const Enumeration points(scene);
     for (const Numeric numeric : {Numeric::single, Numeric::twice}) {
-        const Frame frame = render_natively(scene, numeric).frame;
-        EXPECT_GE(expect_no_holes(scene, frame, points), 0.5);
-        expect_hits_near_points(scene, frame, points);
+        expect_hits_near_points(scene, render_natively(scene, numeric).frame, points);
     }
 }
 

@@ -28,14 +28,10 @@ TEST_P(LargerPicture, is_the_oracles_in_double_and_admissible_in_float_and_dsp32
     }
 }
 
+std::string name_of(const testing::TestParamInfo<Example>& example) { return example.param.name; }
+
 INSTANTIATE_TEST_SUITE_P(Examples, LargerPicture, testing::ValuesIn(example_scenes("64,48")),
-                         [](const testing::TestParamInfo<Example>& info) {
-                             std::string name = info.param.name;
-                             for (char& c : name) {
-                                 if (c == '-' || c == '.') c = '_';
-                             }
-                             return name;
-                         });
+                         name_of);
 
 }  // namespace
 }  // namespace pxm::test

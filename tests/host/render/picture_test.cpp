@@ -34,13 +34,40 @@ TEST_P(Picture, in_float_is_admissible) {
     EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
 }
 
-std::string name_of(const testing::TestParamInfo<Example>& info) {
-    std::string name = info.param.name;
-    for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    return name;
-}
+std::string name_of(const testing::TestParamInfo<Example>& example) { return example.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Picture, testing::ValuesIn(example_scenes("20,15")), name_of);
+
+/// The eye is inside of every cell, so that all keys are exactly 0.
+TEST(PictureOrder, of_equal_keys_is_object_and_then_word) {
+    CompiledScene scene =
+        compile_text(ifs("octo") + ifs("tetra") +
+                     "object a { ifs: tetra sphere: (0,0,0) 40 levels: 2 }"
+                     "object b { ifs: octo sphere: (0,0,0) 40 levels: 3 }"
+                     "camera { eye: 0.01,0.02,0.03 look: 0,0,1 } image { size: 6,4 }");
+    for (const long heap : {256L, 8L, 1L}) {
+        scene.heap = heap;
+        const Frame frame = render_natively(scene, Numeric::twice).frame;
+        const Verdict verdict = judge(scene, frame, Numeric::twice);
+        EXPECT_EQ(verdict.same, verdict.pixels) << verdict.report;
+        for (const PixelRecord& pixel : frame.pixels) {
+            EXPECT_EQ(pixel.object, 0);
+            EXPECT_EQ(pixel.word, hash_of({0, 0}));
+        }
+    }
+}
+
+/// With a ratio of 1/2, 2^-n of the diameter is level n (design decision 4).
+TEST(PictureDepth, ends_where_p_is_a_share_of_the_object) {
+    const CompiledScene scene = compile_text(
+        ifs("tetra") +
+        "object a { ifs: tetra sphere: (0,0,0) 1.5 }"
+        "camera { eye: 0.4,1.3,-5 look: 0,1,0 orthographic: 1e-25 } image { size: 1,1 }");
+    for (const Numeric numeric : {Numeric::dsp32, Numeric::single, Numeric::twice}) {
+        const PixelRecord pixel = render_natively(scene, numeric).frame.at(0, 0);
+        EXPECT_EQ(pixel.level, numeric == Numeric::twice ? 48 : 20);
+    }
+}
 
 TEST(Referee, rejects_a_frame_with_another_cell_depth_colour_or_a_hole) {
     const CompiledScene scene = compile_text(scene_of("tetra", "", "size: 20,15"));

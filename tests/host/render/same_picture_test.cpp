@@ -45,7 +45,7 @@ std::vector<Example> mixed_scenes(const std::string& size) {
     std::vector<Example> chosen;
     for (const Example& example : example_scenes(size)) {
         for (const char* name : {"inside", "overlapping", "hierarchical", "orthographic", "elm",
-                                 "squashed-polar-box", "mirrored-determinant-sphere"}) {
+                                 "squashed_polar_box", "mirrored_determinant_sphere"}) {
             if (example.name == name) chosen.push_back(example);
         }
     }

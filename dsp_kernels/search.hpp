@@ -1,0 +1,36 @@
+// What a search looks for along a ray, and what it asks of the objects it goes through.
+// Node code: no allocation, no exceptions.
+#pragma once
+
+#include "dsp_kernels/pixel_size.hpp"
+#include "dsp_kernels/ray.hpp"
+#include "dsp_kernels/scene_block.hpp"
+
+namespace pxm::kernels {
+
+/// A search: a ray, the size of a pixel along it, and when to stop.
+template <class Real>
+struct Search {
+    Ray<Real> ray;
+    PixelSize<Real> pixel;
+    Real detail;             // a cell is terminal at `detail` pixels
+    std::uint32_t cell_cap;  // most cells tested for one ray
+};
+
+/// Whether the cell's composed linear part is needed for its diameter.
+template <NodeLike Node>
+[[nodiscard]] bool is_polar(Node& node, std::uint32_t object) noexcept {
+    using Object = ObjectRecord<real_words<typename Node::Real>>;
+    node.tally(Operation::integer, 1);
+    return static_cast<Lipschitz>(node.shape_word(object + Object::lipschitz)) == Lipschitz::polar;
+}
+
+/// p at the ray's parameter t, for one object.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Real pixel_at(Node& node, const Search<Real>& search, std::uint32_t object,
+                            Real t) noexcept {
+    using Object = ObjectRecord<real_words<Real>>;
+    return pixel_size(node, search.pixel, t, node.shape_real(object + Object::smallest_pixel));
+}
+
+}  // namespace pxm::kernels

@@ -1,0 +1,63 @@
+// `pxm import FILE [-o SCENE]`: an L-system, a FRACTINT entry, an image or points as a scene.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "host/cmd.hpp"
+#include "host/import/import.hpp"
+#include "host/import/moment_search.hpp"
+#include "host/interrupt.hpp"
+#include "host/output/safe_file.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+struct ImportArguments {
+    ImportRequest request;
+    std::string entry;
+    std::string out;
+};
+
+ExitCode import(const ImportArguments& arguments) {
+    ImportRequest request = arguments.request;
+    if (!arguments.entry.empty()) request.entry = arguments.entry;
+    request.stop = [] { return stop_requested().load(); };
+    const bool to_stdout = arguments.out == "-";
+    if (!to_stdout && !arguments.out.empty()) require_writable(arguments.out);
+    const Imported imported = import_file(request);
+    if (stop_requested()) return signal_exit_code();
+    fmt::print(stderr, "{}", imported.messages);
+    if (to_stdout) {
+        fmt::print("{}", imported.text);
+        return ExitCode::done;
+    }
+    const std::string out = arguments.out.empty() ? imported.name + ".pxm" : arguments.out;
+    write_text_safely(out, imported.text);
+    fmt::print(stderr, "{}: {} maps\n", out, imported.scene.ifs[0].maps.size());
+    return ExitCode::done;
+}
+
+}  // namespace
+
+CommandAction add_import_command(CLI::App& app) {
+    const auto a = std::make_shared<ImportArguments>();
+    CLI::App* command = app.add_subcommand(
+        "import", "Turn a FRACTINT .ifs or .l entry, an image or a list of points into a scene");
+    command
+        ->add_option("file", a->request.path,
+                     "A FRACTINT file (.ifs, .l), points (.xy, .txt), or an image")
+        ->required();
+    command->add_option("-o,--out", a->out,
+                        "The scene; - is the standard output; default: the entry's name + .pxm");
+    command->add_option("--entry", a->entry, "The entry of a FRACTINT file that has several");
+    command->add_option("--maps", a->request.maps, "Maps to find for an image or points; default 4")
+        ->check(CLI::Range(1, most_moment_maps));
+    command->add_option("--seed", a->request.seed, "Of the search for them; default 1");
+    command->add_option("--seconds", a->request.seconds, "Time for the search; default 20")
+        ->check(CLI::Range(0.0, 86400.0));
+    return [a] { return import(*a); };
+}
+
+}  // namespace pxm::host

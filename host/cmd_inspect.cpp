@@ -1,0 +1,59 @@
+// `pxm inspect SCENE`: what the scene is and what it will need, without rendering.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "host/cmd.hpp"
+#include "host/inspect/inspection.hpp"
+#include "host/option_checks.hpp"
+#include "host/output/inspect_json.hpp"
+#include "host/output/inspect_text.hpp"
+#include "host/output/safe_file.hpp"
+#include "host/scene/check.hpp"
+#include "host/scene/parser.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+struct InspectArguments {
+    std::string scene;
+    std::string out;
+    bool json = false;
+};
+
+ExitCode inspect_scene(const InspectArguments& arguments) {
+    if (!arguments.out.empty()) require_writable(arguments.out);
+    Diagnostics diagnostics;
+    const Scene scene = parse_scene(arguments.scene, diagnostics);
+    if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
+    diagnostics.throw_if_errors(scene.files);
+    const Inspection found = inspect(scene, arguments.scene, diagnostics);
+    diagnostics.throw_if_errors(scene.files);
+    const std::string warnings = diagnostics.warnings_text(scene.files);
+    if (!warnings.empty()) fmt::print(stderr, "{}\n", warnings);
+    const std::string text = arguments.json ? inspect_json(found) : inspect_text(found);
+    if (arguments.out.empty()) {
+        fmt::print("{}", text);
+    } else {
+        write_text_safely(arguments.out, text);
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+CommandAction add_inspect_command(CLI::App& app) {
+    const auto a = std::make_shared<InspectArguments>();
+    CLI::App* command =
+        app.add_subcommand("inspect", "Say what a scene is and needs, without rendering");
+    command->add_option("scene", a->scene, "The scene file (.pxm)")->required()->check(some_text());
+    command->add_flag("--json", a->json, "As JSON");
+    command->add_option("-o,--out", a->out, "Write to this file; default: the standard output")
+        ->check(some_text());
+    return [a] { return inspect_scene(*a); };
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,189 @@
+#include "host/fractal/disconnected.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+
+#include "host/fractal/growth.hpp"
+#include "host/fractal/inner_points.hpp"
+#include "host/fractal/lipschitz.hpp"
+#include "host/fractal/word_sums.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr double same_point = 1e-8;  // of the attractor's size: points nearer are one
+constexpr long edge_limit =
+    20'000;  // maps that may come somewhere, for the search of common points
+constexpr long pair_limit = 50'000;          // pairs of maps that may come at one place
+constexpr long cell_pair_limit = 1'000'000;  // pairs of cells compared
+
+/// Theorem 3.9; with a graph, the sums are a matrix, and its spectral radius counts.
+bool constants_add_up_to_less(const Rifs& rifs) {
+    std::vector<double> lip;
+    for (const Affine& map : rifs.maps) lip.push_back(lipschitz_constant(map));
+    return growth(map_sums(rifs, lip), cyclic_components(rifs)) == Growth::below_one;
+}
+
+/// Theorem 3.8: whether images of the attractor keep apart, by pairs of cells.
+class PairSearch {
+  public:
+    PairSearch(const Rifs& rifs, const std::vector<Bounds>& bounds) : rifs_(rifs), bounds_(bounds) {
+        for (const Bounds& b : bounds) size_ = std::max(size_, b.ball.radius);
+    }
+
+    bool all_images_are_apart() {
+        long pairs = 0;
+        for (const FollowSet& set : rifs_.follow_sets) {
+            pairs += static_cast<long>(set.maps.size()) * static_cast<long>(set.maps.size()) / 2;
+        }
+        if (pairs > pair_limit) return false;
+        for (const FollowSet& set : rifs_.follow_sets) {
+            for (std::size_t i = 0; i < set.maps.size(); ++i) {
+                for (std::size_t j = 0; j < i; ++j) {
+                    if (!are_apart(image(set.maps[i]), image(set.maps[j]))) return false;
+                }
+            }
+        }
+        return true;
+    }
+
+  private:
+    struct Cell {
+        Affine place;
+        int set = 0;
+        glm::dvec3 center{0.0};
+        double radius = 0;
+    };
+
+    Cell make(const Affine& place, int set) const {
+        const Ball& ball = bounds_[set].ball;
+        return {place, set, place.point(ball.center), lipschitz_constant(place) * ball.radius};
+    }
+    Cell image(int m) const { return make(rifs_.maps[m], rifs_.follow_of[m]); }
+
+    bool are_apart(const Cell& a, const Cell& b) {
+        std::vector<std::pair<Cell, Cell>> open{{a, b}};
+        while (!open.empty()) {
+            auto [x, y] = open.back();
+            open.pop_back();
+            if (++looked_at_ > cell_pair_limit) return false;
+            if (glm::distance(x.center, y.center) > x.radius + y.radius) continue;
+            if (x.radius + y.radius < same_point * size_) return false;  // as good as touching
+            if (x.radius < y.radius) std::swap(x, y);
+            for (const int m : rifs_.follow_sets[x.set].maps) {
+                open.emplace_back(make(then(rifs_.maps[m], x.place), rifs_.follow_of[m]), y);
+            }
+        }
+        return true;
+    }
+
+    const Rifs& rifs_;
+    const std::vector<Bounds>& bounds_;
+    double size_ = 0;
+    long looked_at_ = 0;
+};
+
+/// The images of a set's maps hang together if the graph of those that share a point does.
+class Joints {
+  public:
+    Joints(const Rifs& rifs, const std::vector<Points>& inner, double size)
+        : rifs_(rifs), inner_(inner), grid_(same_point * size) {}
+
+    bool hang_together(const FollowSet& set) {
+        leader_.resize(rifs_.maps.size());
+        for (const int m : set.maps) leader_[m] = m;
+        std::map<std::array<double, 3>, int> owner;  // of a point: the first map that has it
+        for (const int m : set.maps) {
+            for (const glm::dvec3& point : inner_[rifs_.follow_of[m]]) {
+                const glm::dvec3 p = rifs_.maps[m].point(point) / grid_;
+                const auto [found, fresh] =
+                    owner.emplace(std::array{std::round(p.x), std::round(p.y), std::round(p.z)}, m);
+                if (!fresh) leader_[find(m)] = find(found->second);
+            }
+        }
+        const int first = find(set.maps.front());
+        return std::ranges::all_of(set.maps, [&](int m) { return find(m) == first; });
+    }
+
+  private:
+    int find(int m) {
+        while (leader_[m] != m) m = leader_[m] = leader_[leader_[m]];
+        return m;
+    }
+
+    const Rifs& rifs_;
+    const std::vector<Points>& inner_;
+    double grid_;
+    std::vector<int> leader_;
+};
+
+double extent(const Points& points) {
+    double largest = 0;
+    for (const glm::dvec3& point : points) {
+        largest = std::max(largest, glm::distance(point, points.front()));
+    }
+    return largest;
+}
+
+/// If the images hang together for a set and for all it leads to, it is connected: its cells of any
+/// depth are linked by chains. True if such a set has two points.
+bool has_connected_piece(const Rifs& rifs) {
+    const std::vector<Points> inner = inner_points(rifs);
+    double size = 0;
+    for (const Points& points : inner) size = std::max(size, extent(points));
+    Joints joints(rifs, inner, size);
+    std::vector<char> connected;
+    for (const FollowSet& set : rifs.follow_sets) connected.push_back(joints.hang_together(set));
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t s = 0; s < connected.size(); ++s) {
+            if (!connected[s]) continue;
+            for (const int m : rifs.follow_sets[s].maps) {
+                if (!connected[rifs.follow_of[m]]) connected[s] = 0;
+            }
+            changed = changed || !connected[s];
+        }
+    }
+    for (std::size_t s = 0; s < connected.size(); ++s) {
+        if (connected[s] && extent(inner[s]) > 100 * same_point * size) return true;
+    }
+    return false;
+}
+
+bool all_injective(const Rifs& rifs) {
+    return std::ranges::none_of(
+        rifs.maps, [](const Affine& map) { return classify(map) == MapKind::singular; });
+}
+
+long edges_of(const Rifs& rifs) {
+    long edges = 0;
+    for (const FollowSet& set : rifs.follow_sets) edges += static_cast<long>(set.maps.size());
+    return edges;
+}
+
+}  // namespace
+
+DisconnectedFinding decide_disconnected(const Rifs& rifs, const std::vector<Bounds>& bounds,
+                                        double affinity_upper) {
+    if (constants_add_up_to_less(rifs)) {
+        return {true, "the Lipschitz constants add up to less than 1 (Theorem 3.9)"};
+    }
+    if (affinity_upper < 1) return {true, "its dimension is below 1"};
+    const bool few = edges_of(rifs) <= edge_limit;
+    if (few && has_connected_piece(rifs)) {
+        return {false, "images that share points make a connected piece of it"};
+    }
+    // Theorem 3.8 needs injective maps (Erratum 16).
+    if (few && all_injective(rifs) && PairSearch(rifs, bounds).all_images_are_apart()) {
+        return {true, "its images under the maps are disjoint (Theorem 3.8)"};
+    }
+    return {std::nullopt, few ? "its images were neither found disjoint nor linked by points"
+                              : "not tried: over the limit of 20000 edges of the graph"};
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,43 @@
+#include "host/fractal/oriented_box.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace pxm::host {
+
+double support(const OrientedBox& box, const glm::dvec3& u) {
+    double reach = glm::dot(u, box.center);
+    for (const glm::dvec3& half : box.half) reach += std::abs(glm::dot(u, half));
+    return reach;
+}
+
+glm::dmat3 principal_axes(const Points& points) {
+    glm::dvec3 mean{0.0};
+    for (const glm::dvec3& point : points) mean += point / static_cast<double>(points.size());
+    glm::dmat3 spread{0.0};
+    for (const glm::dvec3& point : points) spread += glm::outerProduct(point - mean, point - mean);
+    Eigen::Matrix3d matrix;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) matrix(i, j) = spread[i][j];
+    }
+    const double trace = matrix.trace();
+    if (!(trace > 0) || !std::isfinite(trace)) return glm::dmat3{1.0};
+    const Eigen::Matrix3d axes =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix / trace).eigenvectors();
+    glm::dmat3 result;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) result[i][j] = axes(j, 2 - i);
+    }
+    return result;
+}
+
+OrientedBox oriented_box(const glm::dmat3& axes, const glm::dvec3& low, const glm::dvec3& high) {
+    OrientedBox box;
+    box.center = axes * ((low + high) / 2.0);
+    for (int i = 0; i < 3; ++i) box.half[i] = axes[i] * ((high[i] - low[i]) / 2);
+    return box;
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,16 @@
+// The similarity dimension: Moran's equation sum r_i^d = 1 (Eq. 5.19); with a graph, the d at which
+// the matrix of the sums of r_i^d between follow sets has the spectral radius 1.
+#pragma once
+
+#include <optional>
+
+#include "host/fractal/growth.hpp"
+#include "host/fractal/rifs.hpp"
+
+namespace pxm::host {
+
+/// Nothing unless every map is a similitude. Precondition: the system contracts, and every follow
+/// set is reached from the start.
+[[nodiscard]] std::optional<Interval> similarity_dimension(const Rifs& rifs);
+
+}  // namespace pxm::host

@@ -1,0 +1,167 @@
+#include "host/import/import.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "host/error.hpp"
+#include "host/import/fractint_ifs.hpp"
+#include "host/import/fractint_l.hpp"
+#include "host/import/imported_scene.hpp"
+#include "host/import/moment_search.hpp"
+#include "host/import/picture.hpp"
+#include "host/output/image.hpp"
+#include "host/scene/parser.hpp"
+#include "host/scene/printable.hpp"
+
+namespace pxm::host {
+namespace {
+
+constexpr std::size_t longest_name = 200;
+
+template <class Entry>
+std::string entry_names(const std::vector<Entry>& list) {
+    constexpr std::size_t shown = 500;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(list.size(), shown); ++i)
+        names += "\n  " + printable(list[i].entry.name, longest_name);
+    if (list.size() > shown) names += fmt::format("\n  ... and {} more", list.size() - shown);
+    return names;
+}
+
+/// The entry asked for; by its exact name if there is one, else whatever its case.
+template <class Entry>
+Entry& choose_entry(std::vector<Entry>& list, const std::string& file,
+                    const std::optional<std::string>& wanted) {
+    if (list.empty())
+        throw Error(ExitCode::scene, fmt::format("{}: no entries", printable(file, longest_name)));
+    if (!wanted) {
+        if (list.size() == 1) return list.front();
+        throw Error(ExitCode::command_line,
+                    fmt::format("{} has {} entries; choose one with --entry NAME:{}",
+                                printable(file, longest_name), list.size(), entry_names(list)));
+    }
+    for (Entry& e : list)
+        if (e.entry.name == *wanted) return e;
+    for (Entry& e : list)
+        if (same_word(e.entry.name, *wanted)) return e;
+    throw Error(ExitCode::command_line,
+                fmt::format("{} has no entry \"{}\"; it has:{}", printable(file, longest_name),
+                            printable(*wanted), entry_names(list)));
+}
+
+std::string file_name(const std::string& path) {
+    return printable(std::filesystem::path(path).filename().string(), longest_name);
+}
+
+Imported finished(Scene scene, const std::string& heading) {
+    Imported imported;
+    imported.name = scene.ifs[0].name;
+    imported.text = imported_text(scene, heading + "\nimported by pxm " PXM_VERSION);
+    imported.scene = std::move(scene);
+    return imported;
+}
+
+Imported import_ifs(const SourceFile& source, const std::optional<std::string>& wanted) {
+    Diagnostics diagnostics;
+    auto list = parse_fractint_ifs(source.text, diagnostics);
+    diagnostics.throw_if_errors({source});
+    const FractintIfs& ifs = choose_entry(list, source.name, wanted);
+    ifs.entry.diagnostics.throw_if_errors({source});
+    Scene scene = imported_scene(fractint_maps(ifs), ifs.entry.name,
+                                 ifs.flat ? Space::plane : Space::solid, source);
+    return finished(std::move(scene),
+                    fmt::format("{}: entry \"{}\" of {} (FRACTINT, {})", scene_name(ifs.entry.name),
+                                printable(ifs.entry.name, longest_name), file_name(source.name),
+                                ifs.flat ? "2-D: the plane z = 0" : "3-D"));
+}
+
+Imported import_l(const SourceFile& source, const std::optional<std::string>& wanted) {
+    Diagnostics diagnostics;
+    auto list = parse_fractint_l(source.text, diagnostics);
+    diagnostics.throw_if_errors({source});
+    FractintL& l = choose_entry(list, source.name, wanted);
+    l.entry.diagnostics.throw_if_errors({source});
+    const Lsystem lsystem = lsystem_of(l);
+    l.entry.diagnostics.throw_if_errors({source});
+    EdgeSystem system;
+    try {
+        system = edge_system(lsystem);
+    } catch (const Error& error) {  // said at its place
+        diagnostics.error(l.entry.position, error.what());
+        diagnostics.throw_if_errors({source});
+    }
+    IfsBlock maps = lsystem_maps(system);
+    maps.position = l.entry.position;
+    Scene scene = imported_scene(std::move(maps), l.entry.name, Space::plane, source);
+    return finished(std::move(scene),
+                    fmt::format("{}: entry \"{}\" of {} (FRACTINT L-system; lengths grow by {:.6g} "
+                                "a level)",
+                                scene_name(l.entry.name), printable(l.entry.name, longest_name),
+                                file_name(source.name), std::abs(system.growth)));
+}
+
+IfsBlock block_of(const MomentResult& result) {
+    IfsBlock block;
+    for (std::size_t k = 0; k < result.maps.size(); ++k) {
+        const PlaneMap& w = result.maps[k];
+        MatrixCommand command;
+        command.map.linear[0] = {w.a, w.c, 0};
+        command.map.linear[1] = {w.b, w.d, 0};
+        command.map.linear[2] = {0, 0, std::sqrt(std::abs(w.determinant()))};
+        command.map.translation = {w.e, w.f, 0};
+        MapBlock map;
+        map.commands.push_back({command, {}});
+        map.weight = result.weights[k];
+        block.maps.push_back(std::move(map));
+    }
+    return block;
+}
+
+Imported import_picture(const ImportRequest& request, const Picture& picture) {
+    MomentRequest search{request.maps, request.seed, request.seconds, picture.finest, request.stop};
+    const MomentResult result = search_moments(picture.points, search);
+    if (result.maps.empty())
+        throw Error(ExitCode::scene, request.path + ": no maps were found that contract");
+    const std::string found = fmt::format(
+        "{} maps by the method of moments (Sec. 10.1): moments up to degree {}, {} restarts, seed "
+        "{}{}\n"
+        "moment residual (rms) {:.3g}\n"
+        "collage distance h(B, w(B)) {:.4g}, so h(A, B) <= {:.4g} (Theorem 8.1); B is {:.4g} wide, "
+        "on a grid of {:.3g}",
+        result.maps.size(), result.order, result.restarts, request.seed,
+        result.out_of_time ? ", stopped by its time" : "", result.residual, result.collage_distance,
+        result.bound, result.size, result.cell);
+    const std::string name = std::filesystem::path(request.path).stem().string();
+    Scene scene = imported_scene(block_of(result), name, Space::plane, {request.path, ""});
+    Imported imported = finished(std::move(scene), fmt::format("{}: {}\n{}", scene_name(name),
+                                                               file_name(request.path), found));
+    imported.messages = found + '\n';
+    return imported;
+}
+
+}  // namespace
+
+Imported import_fractint(const SourceFile& source, FractintFormat format,
+                         const std::optional<std::string>& entry) {
+    return format == FractintFormat::ifs ? import_ifs(source, entry) : import_l(source, entry);
+}
+
+Imported import_file(const ImportRequest& request) {
+    const std::string& path = request.path;
+    const std::string extension = std::filesystem::path(path).extension().string();
+    const bool fractint = same_word(extension, ".ifs") || same_word(extension, ".l");
+    if (!fractint && request.entry)
+        throw Error(ExitCode::command_line, "--entry: only FRACTINT's .ifs and .l have entries");
+    if (same_word(extension, ".ifs"))
+        return import_fractint({path, read_file(path)}, FractintFormat::ifs, request.entry);
+    if (same_word(extension, ".l"))
+        return import_fractint({path, read_file(path)}, FractintFormat::l, request.entry);
+    if (same_word(extension, ".xy") || same_word(extension, ".txt"))
+        return import_picture(request, read_points(path, read_file(path)));
+    return import_picture(request, picture_of(read_image(path)));
+}
+
+}  // namespace pxm::host

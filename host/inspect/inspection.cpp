@@ -1,0 +1,151 @@
+#include "host/inspect/inspection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "host/fractal/inner_points.hpp"
+#include "host/fractal/rifs.hpp"
+#include "host/render/volumes.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr int longest_word = 4;  // of the comparison of the Lipschitz methods
+
+std::optional<glm::dvec3> single_fixed_point(const Affine& map) {
+    constexpr double residue = 1e-9;
+    const glm::dvec3 point = fixed_point(map);
+    const double size = 1 + glm::length(point) + glm::length(map.translation);
+    if (!(glm::distance(map.point(point), point) <= residue * size)) return std::nullopt;
+    // Where directions stand still too, points near it do as well.
+    const glm::dmat3 rest = glm::dmat3{1.0} - map.linear;
+    if (singular_values(rest).values[2] <= residue) return std::nullopt;
+    return point;
+}
+
+MapFacts facts_of(const Affine& map) {
+    MapFacts facts;
+    facts.kind = classify(map);
+    facts.determinant = determinant(map);
+    facts.singular_values = singular_values(map.linear).values;
+    facts.lipschitz = facts.singular_values[0];
+    facts.determinant_bound = determinant_constant(map);
+    facts.fixed_point = single_fixed_point(map);
+    return facts;
+}
+
+/// The bounds of the reachable part's follow sets, from those of the whole.
+std::vector<Bounds> bounds_of_part(const Rifs& whole, const std::vector<Bounds>& bounds,
+                                   const Rifs& part) {
+    if (part.follow_sets.size() == whole.follow_sets.size()) return bounds;
+    return bound(part, prove_contraction(part));
+}
+
+const char* volume_name(const std::optional<DeclaredVolume>& volume) {
+    constexpr std::array names{"auto", "sphere", "box", "cone", "cylinder", "hull"};
+    return names[volume ? volume->index() : 0];
+}
+
+double short_by(const IfsFacts& facts, const std::optional<DeclaredVolume>& declared) {
+    if (!declared) return 0;
+    const auto by = [&](const auto& volume) {
+        return std::max(0.0, short_by(facts.rifs, facts.bounds, facts.rifs.start, volume));
+    };
+    if (const auto* sphere = std::get_if<SphereVolume>(&*declared)) return by(*sphere);
+    if (const auto* box = std::get_if<BoxVolume>(&*declared)) return by(*box);
+    return 0;
+}
+
+ObjectFacts inspect_object(const ObjectBlock& object, const Scene& scene,
+                           const std::vector<IfsFacts>& systems) {
+    ObjectFacts facts;
+    facts.name = object.name;
+    facts.ifs = object.ifs;
+    if (object.volume && !std::holds_alternative<AutoVolume>(*object.volume)) {
+        facts.declared = object.volume;
+    }
+    if (!object.ifs) {
+        facts.volume = volume_name(object.volume);
+        return facts;
+    }
+    const auto system =
+        std::ranges::find(systems, *object.ifs, [](const IfsFacts& s) { return s.rifs.name; });
+    const VolumeKind kind =
+        scene.render.value_or(RenderBlock{}).volume.value_or(VolumeKind::automatic);
+    ObjectBlock chosen = object;
+    if (chosen.volume && std::holds_alternative<HullVolume>(*chosen.volume)) chosen.volume.reset();
+    Diagnostics repeated;  // the warnings are those of the compiler
+    const auto volumes = choose_volumes(chosen, kind, system->rifs, system->bounds, repeated);
+    facts.volume = volumes[system->rifs.start].kind == kernels::Volume::sphere ? "sphere" : "box";
+    facts.short_by = short_by(*system, facts.declared);
+    facts.ball_slack = system->bounds[system->rifs.start].ball_slack;
+    return facts;
+}
+
+}  // namespace
+
+std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnostics) {
+    IfsFacts facts;
+    Diagnostics own;
+    facts.rifs = build_rifs(block, own);
+    const bool broken = own.has_errors();
+    diagnostics.append(own);
+    if (broken) return std::nullopt;
+    facts.contraction = prove_contraction(facts.rifs);
+    if (facts.contraction.proof == ContractionProof::none) {
+        diagnostics.error(block.position,
+                          fmt::format("ifs \"{}\" could not be shown to contract: {}", block.name,
+                                      facts.contraction.obstacle));
+        return std::nullopt;
+    }
+    for (const Affine& map : facts.rifs.maps) facts.maps.push_back(facts_of(map));
+    facts.graph = graph_facts(facts.rifs);
+    const Rifs part = reachable_part(facts.rifs);
+    facts.words = word_lipschitz(part, longest_word);
+    for (WordLipschitz& word : facts.words) {
+        // Names are unique in a system, so they lead back to its own numbers.
+        for (std::vector<int>* maps : {&word.product_word, &word.determinant_word}) {
+            for (int& m : *maps) {
+                m = static_cast<int>(std::ranges::find(facts.rifs.map_names, part.map_names[m]) -
+                                     facts.rifs.map_names.begin());
+            }
+        }
+    }
+    facts.bounds = bound(facts.rifs, facts.contraction);
+    const std::vector<Bounds> bounds = bounds_of_part(facts.rifs, facts.bounds, part);
+    facts.open_set = decide_open_set(part);
+    facts.dimensions = dimensions(part, bounds, facts.open_set.condition);
+    facts.disconnected = decide_disconnected(part, bounds, facts.dimensions.affinity.upper);
+    return facts;
+}
+
+Inspection inspect(const Scene& scene, const std::string& path, Diagnostics& diagnostics) {
+    Inspection inspection;
+    inspection.scene = path;
+    Diagnostics found;
+    for (const IfsBlock& block : scene.ifs) {
+        if (auto facts = inspect_ifs(block, found)) inspection.ifs.push_back(std::move(*facts));
+    }
+    if (found.has_errors()) {
+        diagnostics.append(found);
+        return inspection;
+    }
+    inspection.needs = node_needs(scene, diagnostics);  // finds the same warnings, and more
+    for (const ObjectBlock& object : scene.objects) {
+        inspection.objects.push_back(inspect_object(object, scene, inspection.ifs));
+    }
+    if (!scene.objects.empty()) return inspection;
+    for (const IfsBlock& block : scene.ifs) {
+        ObjectBlock shown;  // a scene without objects shows its systems as they are
+        shown.name = block.name;
+        shown.ifs = block.name;
+        inspection.objects.push_back(inspect_object(shown, scene, inspection.ifs));
+    }
+    return inspection;
+}
+
+}  // namespace pxm::host

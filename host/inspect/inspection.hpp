@@ -1,0 +1,71 @@
+// All that can be known of a scene before a ray is cast: what `pxm inspect` tells. Facts only; how
+// they are written stands in host/output/inspect_json and inspect_text.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/fractal/bounds.hpp"
+#include "host/fractal/contraction.hpp"
+#include "host/fractal/dimension.hpp"
+#include "host/fractal/disconnected.hpp"
+#include "host/fractal/graph_facts.hpp"
+#include "host/fractal/lipschitz.hpp"
+#include "host/fractal/open_set.hpp"
+#include "host/fractal/word_lipschitz.hpp"
+#include "host/inspect/node_needs.hpp"
+#include "host/scene/diagnostics.hpp"
+#include "host/scene/scene.hpp"
+
+namespace pxm::host {
+
+struct MapFacts {
+    MapKind kind = MapKind::affine;
+    double determinant = 0;
+    std::array<double, 3> singular_values{};  // largest first
+    double lipschitz = 0;                     // the largest singular value, Sec. 16.2
+    double determinant_bound = 0;             // Eq. 16.3
+    std::optional<glm::dvec3> fixed_point;    // nothing if no single point stands still
+};
+
+struct IfsFacts {
+    Rifs rifs;
+    std::vector<MapFacts> maps;
+    Contraction contraction;
+    GraphFacts graph;
+    std::vector<WordLipschitz> words;
+    std::vector<Bounds> bounds;  // per follow set of `rifs`
+    Dimensions dimensions;
+    OpenSetFinding open_set;
+    DisconnectedFinding disconnected;
+};
+
+/// The bounding volume of an object, as declared and as used.
+struct ObjectFacts {
+    std::string name;
+    std::optional<std::string> ifs;  // nothing: the volume itself is the object
+    std::string volume;              // of the outermost cell: sphere, box, ...
+    std::optional<DeclaredVolume> declared;
+    double short_by = 0;    // what the attractor sticks out of the declared volume
+    double ball_slack = 0;  // the computed ball is at most so much larger than the smallest
+};
+
+struct Inspection {
+    std::string scene;
+    std::vector<IfsFacts> ifs;
+    std::vector<ObjectFacts> objects;
+    NodeNeeds needs;
+};
+
+/// What is known of one system. Errors, as compile() would find, go to `diagnostics`; then nothing.
+[[nodiscard]] std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnostics);
+
+/// Inspects a scene that check_scene found right; it may ask for what cannot be rendered yet. The
+/// result is usable only if no error was added.
+[[nodiscard]] Inspection inspect(const Scene& scene, const std::string& path,
+                                 Diagnostics& diagnostics);
+
+}  // namespace pxm::host

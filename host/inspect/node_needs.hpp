@@ -1,0 +1,25 @@
+// What a scene will need of every pixel node: the modules of the node program, and bytes of the
+// banks.
+#pragma once
+
+#include <string>
+
+#include "host/render/link.hpp"
+#include "host/render/statistics.hpp"
+#include "host/scene/diagnostics.hpp"
+#include "host/scene/scene.hpp"
+
+namespace pxm::host {
+
+struct NodeNeeds {
+    std::string model;  // of the machine that the bytes are for
+    NodeProgram program;
+    MachineStatistics memory;  // its banks alone
+    bool over_limit = false;   // a bank would be too small
+};
+
+/// Of a scene that check_scene found right and whose systems contract. What this version cannot
+/// render is left out of the count.
+[[nodiscard]] NodeNeeds node_needs(const Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace pxm::host

@@ -1,0 +1,13 @@
+// What `pxm inspect --json` writes, with the keys of docs/inspect.md. Keys are added, never
+// renamed.
+#pragma once
+
+#include <string>
+
+#include "host/inspect/inspection.hpp"
+
+namespace pxm::host {
+
+[[nodiscard]] std::string inspect_json(const Inspection& inspection);
+
+}  // namespace pxm::host

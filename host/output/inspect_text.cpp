@@ -1,0 +1,177 @@
+#include "host/output/inspect_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/output/inspect_names.hpp"
+#include "pxm/model.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr std::size_t most_maps = 40;   // listed one by one
+constexpr std::size_t most_names = 12;  // in one line
+
+/// Six digits, and 0 for what is 0 but for rounding.
+std::string number(double x) {
+    constexpr double nothing = 1e-12;
+    return fmt::format("{:.6g}", std::abs(x) < nothing ? 0.0 : x);
+}
+
+std::string point(const glm::dvec3& p) {
+    return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z));
+}
+
+std::string names(const Rifs& rifs, const std::vector<int>& maps) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(maps.size(), most_names); ++i) {
+        text += (i > 0 ? " " : "") + rifs.map_names[maps[i]];
+    }
+    if (maps.size() > most_names) text += fmt::format(" ... ({} in all)", maps.size());
+    return text;
+}
+
+void line(std::string& text, const char* what, const std::string& value) {
+    text += fmt::format("  {:<20} {}\n", what, value);
+}
+
+std::string map_line(const IfsFacts& ifs, std::size_t m) {
+    const MapFacts& map = ifs.maps[m];
+    const auto& s = map.singular_values;
+    const std::string condition =
+        map.kind == MapKind::singular ? "-" : fmt::format("{:.4g}", s[0] / s[2]);
+    return fmt::format("    {:<12} {:<10} {:>11} {:>9} {:>9} {:>9} {:>9}  {}\n",
+                       ifs.rifs.map_names[m], kind_name(map.kind), number(map.determinant),
+                       fmt::format("{:.4g}", s[0]), fmt::format("{:.4g}", s[1]),
+                       fmt::format("{:.4g}", s[2]), condition,
+                       map.fixed_point ? point(*map.fixed_point) : "none");
+}
+
+void add_maps(const IfsFacts& ifs, std::string& text) {
+    text += fmt::format("    {:<12} {:<10} {:>11} {:>9} {:>9} {:>9} {:>9}  {}\n", "map", "kind",
+                        "determinant", "Lip", "", "", "condition", "fixed point");
+    for (std::size_t m = 0; m < std::min(ifs.maps.size(), most_maps); ++m) {
+        text += map_line(ifs, m);
+    }
+    if (ifs.maps.size() > most_maps) {
+        text += fmt::format("    ... {} more\n", ifs.maps.size() - most_maps);
+    }
+}
+
+void add_graph(const IfsFacts& ifs, std::string& text) {
+    const GraphFacts& graph = ifs.graph;
+    line(text, "graph",
+         graph.complete ? "complete: any map may follow any other"
+         : graph.strongly_connected
+             ? "strongly connected"
+             : fmt::format("{} components, {} edges between them", graph.components.size(),
+                           graph.condensation.size()));
+    if (graph.complete) return;
+    line(text, "start", names(ifs.rifs, graph.start));
+    if (graph.strongly_connected) return;
+    for (std::size_t c = 0; c < std::min(graph.components.size(), most_maps); ++c) {
+        line(text, graph.recurrent[c] ? "  recurrent" : "  passed once",
+             names(ifs.rifs, graph.components[c]));
+    }
+    if (!graph.unreachable.empty()) line(text, "unreachable", names(ifs.rifs, graph.unreachable));
+}
+
+void add_words(const IfsFacts& ifs, std::string& text) {
+    const WordLipschitz& longest = ifs.words.back();
+    line(text, "Lipschitz bounds",
+         fmt::format("words of {}: the product is up to {:.4g} times too large, the determinant's "
+                     "root up to {:.4g} times too small",
+                     longest.length, longest.product_over_actual, longest.actual_over_determinant));
+}
+
+void add_volumes(const IfsFacts& ifs, std::string& text) {
+    const Bounds& all = ifs.bounds[ifs.rifs.start];
+    line(text, "bounding sphere",
+         fmt::format("{} radius {}, at most {:.2g} % too large", point(all.ball.center),
+                     number(all.ball.radius), 100 * all.ball_slack));
+    line(text, "bounding box", point(all.box.low) + " to " + point(all.box.high));
+}
+
+void add_dimensions(const Dimensions& found, std::string& text) {
+    line(text, "similarity",
+         found.similarity ? number(found.similarity->middle())
+                          : "none: not every map is a similitude");
+    const Affinity& affinity = found.affinity;
+    line(text, "affinity",
+         affinity.exact ? fmt::format("{} ({})", number(affinity.value), affinity.why)
+                        : fmt::format("{}, at most {} ({})", number(affinity.value),
+                                      number(affinity.upper), affinity.why));
+    const BoxCounting& boxes = found.box_counting;
+    line(text, "box counting",
+         boxes.dimension ? fmt::format("{:.3f} +- {:.3f} ({} scales; {})", *boxes.dimension,
+                                       boxes.error, boxes.scales.size(), boxes.method)
+                         : boxes.method);
+    line(text, "", found.meaning);
+}
+
+void add_ifs(const IfsFacts& ifs, std::string& text) {
+    text += fmt::format("ifs {}: {} maps\n", ifs.rifs.name, ifs.maps.size());
+    add_maps(ifs, text);
+    add_graph(ifs, text);
+    line(text, "contractivity",
+         fmt::format("{} a map, by {}", number(ifs.contraction.rate),
+                     proof_name(ifs.contraction.proof)));
+    add_words(ifs, text);
+    add_volumes(ifs, text);
+    add_dimensions(ifs.dimensions, text);
+    line(text, "open-set condition",
+         fmt::format("{}: {}", condition_name(ifs.open_set.condition), ifs.open_set.why));
+    const auto& disconnected = ifs.disconnected.totally_disconnected;
+    line(text, "totally disconnected",
+         fmt::format("{}: {}", disconnected ? (*disconnected ? "yes" : "no") : "unknown",
+                     ifs.disconnected.why));
+}
+
+void add_object(const ObjectFacts& object, std::string& text) {
+    std::string what = object.ifs ? "ifs " + *object.ifs + ", volume " + object.volume
+                                  : "the volume itself, " + object.volume;
+    if (object.short_by > 0) {
+        what += fmt::format("; the {} declared is short by {}", kind_name(*object.declared),
+                            number(object.short_by));
+    }
+    text += fmt::format("object {}: {}\n", object.name, what);
+}
+
+void add_use(const char* what, const MemoryUse& use, std::string& text) {
+    line(text, what, fmt::format("{} of {} bytes", use.used_bytes, use.limit_bytes));
+}
+
+void add_needs(const NodeNeeds& needs, std::string& text) {
+    text += fmt::format("a node of the {}\n", needs.model);
+    for (const ProgramModule& module : needs.program.modules) {
+        line(text, module.name.c_str(), module.because);
+    }
+    std::string left_out;
+    for (const ProgramModule& module : needs.program.left_out) {
+        left_out += (left_out.empty() ? "" : ", ") + module.name;
+    }
+    line(text, "left out", left_out);
+    add_use("front buffer", needs.memory.front_buffer, text);
+    add_use("back buffer", needs.memory.back_buffer, text);
+    add_use("z-buffer", needs.memory.zbuffer, text);
+    add_use("texture", needs.memory.texture, text);
+}
+
+}  // namespace
+
+std::string inspect_text(const Inspection& inspection) {
+    std::string text = inspection.scene + "\n\n";
+    for (const IfsFacts& ifs : inspection.ifs) {
+        add_ifs(ifs, text);
+        text += '\n';
+    }
+    for (const ObjectFacts& object : inspection.objects) add_object(object, text);
+    if (!inspection.objects.empty()) text += '\n';
+    add_needs(inspection.needs, text);
+    return text;
+}
+
+}  // namespace pxm::host

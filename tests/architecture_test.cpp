@@ -1,0 +1,221 @@
+// Who may include whom, and what a room of the house must not know:
+//   host/ --> dsp_kernels/ --> pxm/       nothing points back, nothing includes tests/
+// The rules are a function of paths and texts, so that the tests can show that it sees what is
+// wrong.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/paths.hpp"
+
+namespace pxm::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SourceText {
+    std::string path;  // from the top of the tree
+    std::string text;
+};
+
+using Complaints = std::vector<std::string>;
+
+/// A rule: text that matches `pattern` may stand only in files whose path matches `home`.
+struct Rule {
+    Rule(const char* a, const char* b, const char* c) : pattern(a), home(b), what(c) {}
+    std::regex pattern;
+    std::regex home;
+    const char* what;
+};
+
+// Outside libraries, each known to one place.
+const Rule library_rules[] = {
+    {R"(#include\s*<OpenImageIO/)", "host/(output|texture)/.*", "OpenImageIO"},
+    {R"(#include\s*<CLI/)", "host/(cli|cmd_|option_checks)[^/]*", "CLI11"},
+    {R"(#include\s*<nlohmann/)", "host/(.*json[^/]*|output/.*|cmd_[^/]*|study/.*)",
+     "nlohmann-json"},
+    {R"(#include\s*<Eigen/)", "host/(fractal|import)/.*", "Eigen"},
+    {R"(#include\s*<omp\.h>)", "host/(render|wide)/.*", "OpenMP"},
+};
+
+// What a node does not have: streams, threads, an allocator, exceptions.
+const Rule node_rules[] = {
+    {R"(#include\s*<(iostream|ostream|fstream|sstream|cstdio)>)", "(?!dsp_kernels/).*", "streams"},
+    {R"(#include\s*<(thread|mutex|atomic|future)>)", "(?!dsp_kernels/).*", "threads"},
+    {R"(\bstd::(vector|string|map|set|deque|list|function|unique_ptr|shared_ptr)\b)",
+     "(?!dsp_kernels/).*", "a container that allocates"},
+    {R"(\b(new|malloc)\b(?!>))", "(?!dsp_kernels/).*", "allocation"},
+    {R"(\b(throw|try|catch)\b)", "(?!dsp_kernels/).*", "exceptions"},
+    {R"(\bstd::c(out|err)\b|\bf?printf\b)", "(?!dsp_kernels/|pxm/).*", "printing"},
+};
+
+/// The text with comments removed and strings emptied, except in include lines.
+std::string code_of(const std::string& text) {
+    static const std::regex noise(
+        R"((#include[^\n]*)|//[^\n]*|/\*[^]*?\*/|"(?:\\.|[^"\\\n])*"|('(?:\\.|[^'\\\n])'))");
+    return std::regex_replace(text, noise, "$1");
+}
+
+std::vector<std::string> included(const std::string& code, char open, char close) {
+    const std::regex line(std::string(R"(#include\s*)") + open + "([^" + close + "\n]*)" + close);
+    std::vector<std::string> paths;
+    for (std::sregex_iterator it(code.begin(), code.end(), line), end; it != end; ++it)
+        paths.push_back((*it)[1]);
+    return paths;
+}
+
+std::string room(const std::string& path) { return path.substr(0, path.find('/')); }
+
+/// Lower is nearer to the machine: a room may include itself and what is lower.
+int height(const std::string& path) {
+    static const std::vector<std::string> rooms{"pxm", "dsp_kernels", "host", "tests"};
+    return static_cast<int>(std::ranges::find(rooms, room(path)) - rooms.begin());
+}
+
+void check_includes(const SourceText& source, const std::string& code,
+                    const std::set<std::string>& paths, Complaints& complaints) {
+    for (const std::string& target : included(code, '"', '"')) {
+        if (!paths.contains(target)) {
+            complaints.push_back(source.path + ": no file \"" + target +
+                                 "\" (paths are from the top of the tree)");
+        } else if (height(target) > height(source.path)) {
+            complaints.push_back(source.path + ": must not include " + target);
+        }
+    }
+    if (height(source.path) > height("dsp_kernels/")) return;
+    static const std::regex standard("[a-z0-9_]+");
+    for (const std::string& target : included(code, '<', '>'))
+        if (!std::regex_match(target, standard))
+            complaints.push_back(source.path + ": <" + target + "> is not the standard library");
+}
+
+template <std::size_t n>
+void check_rules(const SourceText& source, const std::string& code, const Rule (&rules)[n],
+                 Complaints& complaints) {
+    for (const Rule& rule : rules)
+        if (std::regex_search(code, rule.pattern) && !std::regex_match(source.path, rule.home))
+            complaints.push_back(source.path + ": " + rule.what + " does not belong here");
+}
+
+Complaints check(const std::vector<SourceText>& sources) {
+    std::set<std::string> paths;
+    for (const SourceText& source : sources) paths.insert(source.path);
+    Complaints complaints;
+    for (const SourceText& source : sources) {
+        if (room(source.path) == "tests") continue;
+        const std::string code = code_of(source.text);
+        check_includes(source, code, paths, complaints);
+        check_rules(source, code, library_rules, complaints);
+        check_rules(source, code, node_rules, complaints);
+        if (source.path.ends_with(".hpp") && code.find("#pragma once") == std::string::npos)
+            complaints.push_back(source.path + ": no #pragma once");
+    }
+    return complaints;
+}
+
+std::vector<SourceText> sources_of_the_tree() {
+    std::vector<SourceText> sources;
+    for (const char* top : {"pxm", "dsp_kernels", "host", "tests"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_dir) / top)) {
+            const fs::path& path = entry.path();
+            if (path.extension() != ".hpp" && path.extension() != ".cpp") continue;
+            std::ostringstream text;
+            text << std::ifstream(path).rdbuf();
+            sources.push_back({fs::relative(path, source_dir).generic_string(), text.str()});
+        }
+    }
+    return sources;
+}
+
+/// What is wrong with one file among a few others.
+Complaints complaints_about(const std::string& path, const std::string& text) {
+    const std::string once = "#pragma once\n";
+    return check({{path, (path.ends_with(".hpp") ? once : "") + text},
+                  {"pxm/node.hpp", once},
+                  {"dsp_kernels/ray.hpp", once},
+                  {"host/scene/scene.hpp", once},
+                  {"tests/support/paths.hpp", once}});
+}
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+TEST(Architecture, the_tree_obeys) {
+    const auto sources = sources_of_the_tree();
+    ASSERT_GT(sources.size(), 10U);
+    EXPECT_THAT(check(sources), IsEmpty());
+}
+
+TEST(Architecture, nothing_points_back) {
+    EXPECT_THAT(complaints_about("host/a.cpp", "#include \"dsp_kernels/ray.hpp\"\n"), IsEmpty());
+    EXPECT_THAT(complaints_about("dsp_kernels/a.hpp", "#include \"pxm/node.hpp\"\n"), IsEmpty());
+    EXPECT_THAT(complaints_about("pxm/a.cpp", "#include \"dsp_kernels/ray.hpp\"\n"),
+                ElementsAre("pxm/a.cpp: must not include dsp_kernels/ray.hpp"));
+    EXPECT_THAT(complaints_about("dsp_kernels/a.hpp", "#include \"host/scene/scene.hpp\"\n"),
+                ElementsAre("dsp_kernels/a.hpp: must not include host/scene/scene.hpp"));
+    EXPECT_THAT(complaints_about("host/a.cpp", "#include \"tests/support/paths.hpp\"\n"),
+                ElementsAre("host/a.cpp: must not include tests/support/paths.hpp"));
+}
+
+TEST(Architecture, quoted_paths_are_from_the_top_and_exist) {
+    EXPECT_THAT(complaints_about("host/scene/a.cpp", "#include \"scene.hpp\"\n"),
+                ElementsAre(HasSubstr("no file \"scene.hpp\"")));
+    EXPECT_THAT(complaints_about("host/a.cpp", "#include \"host/gone.hpp\"\n"), SizeIs(1));
+}
+
+TEST(Architecture, machine_and_kernels_know_the_standard_library_alone) {
+    for (const char* header : {"glm/vec3.hpp", "fmt/core.h", "boost/version.hpp", "unistd.h"}) {
+        const std::string include = "#include <" + std::string(header) + ">\n";
+        EXPECT_THAT(complaints_about("pxm/a.hpp", include), SizeIs(1)) << header;
+        EXPECT_THAT(complaints_about("dsp_kernels/a.hpp", include), SizeIs(1)) << header;
+        EXPECT_THAT(complaints_about("host/a.hpp", include), IsEmpty()) << header;
+    }
+    EXPECT_THAT(complaints_about("pxm/a.hpp", "#include <cstdint>\n"), IsEmpty());
+}
+
+TEST(Architecture, an_outside_library_is_known_to_one_place) {
+    const std::vector<std::pair<std::string, std::string>> homes{
+        {"OpenImageIO/imageio.h", "host/output/image.cpp"},
+        {"CLI/CLI.hpp", "host/cmd_render.cpp"},
+        {"nlohmann/json.hpp", "host/output/statistics_json.cpp"},
+        {"Eigen/SVD", "host/fractal/lipschitz.cpp"},
+        {"omp.h", "host/render/native_engine.cpp"}};
+    for (const auto& [header, home] : homes) {
+        const std::string include = "#include <" + header + ">\n";
+        EXPECT_THAT(complaints_about(home, include), IsEmpty()) << header;
+        EXPECT_THAT(complaints_about("host/scene/a.cpp", include), SizeIs(1)) << header;
+    }
+}
+
+TEST(Architecture, a_node_has_no_allocator_no_exceptions_no_streams_no_threads) {
+    for (const char* text :
+         {"int* p = new int;", "throw 1;", "std::vector<int> v;", "#include <iostream>\n",
+          "#include <thread>\n", "std::cout << 1;", "printf(x);", "try { f(); } catch (...) {}"}) {
+        EXPECT_GE(complaints_about("dsp_kernels/a.hpp", text).size(), 1U) << text;
+    }
+    EXPECT_THAT(complaints_about("pxm/a.cpp", "std::cout << 1;"), SizeIs(1));
+}
+
+TEST(Architecture, comments_and_strings_are_not_code) {
+    EXPECT_THAT(complaints_about("dsp_kernels/a.hpp",
+                                 "// a new cell\n/* throw\n */ constexpr auto s = \"printf\";\n"
+                                 "char c = '\"'; int renewed = 1;\n"),
+                IsEmpty());
+}
+
+TEST(Architecture, a_header_is_read_once) {
+    EXPECT_THAT(check({{"pxm/a.hpp", "// #pragma once\nint a();\n"}}),
+                ElementsAre("pxm/a.hpp: no #pragma once"));
+}
+
+}  // namespace
+}  // namespace pxm::test

@@ -1,0 +1,149 @@
+// Laws of pictures as files.
+#include "host/output/image.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "host/error.hpp"
+#include "tests/support/folder.hpp"
+
+namespace pxm::host {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// A frame of a crop window in which every number is another one.
+Frame numbered_frame() {
+    Frame frame({8, 8}, {2, 1, 5, 3});
+    float n = 0;
+    for (PixelRecord& pixel : frame.pixels) {
+        for (float& c : pixel.color) c = (n += 1) / 20;
+        pixel.alpha = n += 1;
+        pixel.z = n += 1;
+        for (float& c : pixel.normal) c = -(n += 1);
+        pixel.object = static_cast<std::int32_t>(n += 1);
+        pixel.level = static_cast<std::int32_t>(n += 1);
+        pixel.word = 0xFF'FF00U + static_cast<std::uint32_t>(n += 1);
+        pixel.node = static_cast<std::uint32_t>(n += 1);
+        pixel.volumes = static_cast<std::uint32_t>(n += 1);
+        pixel.heap = static_cast<std::uint32_t>(n += 1);
+        pixel.cycles = static_cast<std::uint64_t>(n += 1);
+    }
+    return frame;
+}
+
+TEST(Srgb, the_curve_is_that_of_IEC_61966) {
+    EXPECT_EQ(srgb_from_linear(0), 0);
+    EXPECT_NEAR(srgb_from_linear(1), 1, 1e-6);
+    EXPECT_NEAR(srgb_from_linear(0.002F), 12.92 * 0.002, 1e-7);
+    EXPECT_NEAR(srgb_from_linear(0.18F), 0.461356, 1e-6);
+    EXPECT_NEAR(srgb_from_linear(0.5F), 0.735357, 1e-6);
+    constexpr float knee = 0.0031308F;
+    EXPECT_NEAR(srgb_from_linear(std::nextafter(knee, 1.0F)), srgb_from_linear(knee), 1e-6);
+}
+
+TEST(Srgb, the_curve_rises_and_clips_what_no_screen_shows) {
+    for (int i = 0; i < 1000; ++i) {
+        const auto x = static_cast<float>(i);
+        EXPECT_LT(srgb_from_linear(x / 1000), srgb_from_linear((x + 1) / 1000));
+    }
+    EXPECT_EQ(srgb_from_linear(-3), 0);
+    EXPECT_EQ(srgb_from_linear(7), srgb_from_linear(1));
+    EXPECT_EQ(srgb_from_linear(infinity), srgb_from_linear(1));
+}
+
+TEST(Image, an_exr_gives_back_every_channel_and_the_metadata) {
+    const test::Folder folder;
+    const Frame frame = numbered_frame();
+    write_image(folder.path("a.exr"), frame, all_aovs(), {{"scene", "a \"b\".pxm"}, {"x", "1"}});
+    const LoadedImage a = read_image(folder.path("a.exr"));
+    ASSERT_EQ(a.width, 3);
+    ASSERT_EQ(a.height, 2);
+    EXPECT_EQ(a.channels.size(), 3 + 9 + 3U);
+    for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+        const PixelRecord& pixel = frame.pixels[i];
+        const auto at = [&](const char* name) {
+            EXPECT_GE(a.channel(name), 0) << name;
+            return a.at(i, a.channel(name));
+        };
+        EXPECT_EQ(at("R"), pixel.color[0]);
+        EXPECT_EQ(at("G"), pixel.color[1]);
+        EXPECT_EQ(at("B"), pixel.color[2]);
+        EXPECT_EQ(at("Z"), pixel.z);
+        EXPECT_EQ(at("node"), static_cast<float>(pixel.node));
+        EXPECT_EQ(at("cycles"), static_cast<float>(pixel.cycles));
+        EXPECT_EQ(at("volumes"), static_cast<float>(pixel.volumes));
+        EXPECT_EQ(at("level"), static_cast<float>(pixel.level));
+        EXPECT_EQ(at("heap"), static_cast<float>(pixel.heap));
+        EXPECT_EQ(at("alpha"), pixel.alpha);
+        EXPECT_EQ(at("object"), static_cast<float>(pixel.object));
+        EXPECT_EQ(static_cast<std::uint32_t>(at("word")), pixel.word) << "24 bits are exact";
+        EXPECT_EQ(at("N.x"), pixel.normal[0]);
+        EXPECT_EQ(at("N.y"), pixel.normal[1]);
+        EXPECT_EQ(at("N.z"), pixel.normal[2]);
+    }
+    ASSERT_NE(a.find("scene"), nullptr);
+    EXPECT_EQ(*a.find("scene"), "a \"b\".pxm");
+    EXPECT_EQ(a.find("y"), nullptr);
+}
+
+TEST(Image, a_miss_is_infinitely_far_in_the_file_too) {
+    const test::Folder folder;
+    write_image(folder.path("a.exr"), Frame({1, 1}, {0, 0, 1, 1}), {Aov::z}, {});
+    const LoadedImage a = read_image(folder.path("a.exr"));
+    EXPECT_EQ(a.at(0, a.channel("Z")), infinity);
+}
+
+TEST(Image, colors_beyond_one_are_kept_in_an_exr_and_clipped_in_a_png) {
+    const test::Folder folder;
+    Frame frame({1, 1}, {0, 0, 1, 1});
+    frame.pixels[0].color[0] = 4;
+    frame.pixels[0].color[1] = -1;
+    frame.pixels[0].color[2] = 0.5F;
+    write_image(folder.path("a.exr"), frame, {}, {});
+    write_image(folder.path("a.png"), frame, {}, {});
+    EXPECT_EQ(read_image(folder.path("a.exr")).values, (std::vector<float>{4, -1, 0.5F}));
+    EXPECT_EQ(read_image(folder.path("a.png")).values, (std::vector<float>{1, 0, 188 / 255.0F}));
+}
+
+TEST(Image, equal_pictures_are_equal_png_files_whatever_made_them) {
+    const test::Folder folder;
+    write_image(folder.path("a.png"), numbered_frame(), {}, {{"engine", "native"}});
+    write_image(folder.path("b.png"), numbered_frame(), {}, {{"engine", "machine"}});
+    EXPECT_TRUE(folder.read("a.png") == folder.read("b.png"));
+}
+
+TEST(Image, the_extension_decides_and_its_case_does_not_matter) {
+    const test::Folder folder;
+    for (const char* name : {"a.png", "a.exr", "a.tif", "a.jpg", "A.PNG", "a.b.Exr"}) {
+        EXPECT_NO_THROW(require_image_format(folder.path(name), {})) << name;
+        write_image(folder.path(name), numbered_frame(), {}, {});
+        EXPECT_EQ(read_image(folder.path(name)).width, 3) << name;
+    }
+    for (const char* name : {"a", "a.", "folder.png/a", "a.txt", "a.null", "a.term"}) {
+        EXPECT_THROW(require_image_format(name, {}), Error) << name;
+    }
+    EXPECT_THROW(require_image_format("a.png", {Aov::z}), Error);
+    EXPECT_NO_THROW(require_image_format("a.EXR", {Aov::z}));
+}
+
+TEST(Image, a_picture_that_cannot_be_written_leaves_nothing) {
+    const test::Folder folder;
+    // An icon has at most 256 pixels a side.
+    const Frame wide({300, 1}, {0, 0, 300, 1});
+    try {
+        write_image(folder.path("a.ico"), wide, {}, {});
+        FAIL() << "it was written";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::file);
+        EXPECT_NE(std::string(error.what()).find("cannot write " + folder.path("a.ico")),
+                  std::string::npos);
+        EXPECT_EQ(std::string(error.what()).find("part"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace pxm::host

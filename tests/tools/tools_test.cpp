@@ -1,0 +1,158 @@
+// tools/pxm in a tree of its own, with stand-ins for cmake, dpkg, apt-get, sudo and id.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/support/paths.hpp"
+
+namespace pxm::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+struct Outcome {
+    int exit_code;
+    std::string out;
+    std::string err;
+};
+
+/// A copy of tools/ in a tree with one source, and a folder of stand-ins that comes first in PATH.
+class Tools : public testing::Test {
+  protected:
+    Tools() {
+        std::string pattern = (fs::temp_directory_path() / "pxm_tools_XXXXXX").string();
+        root_ = mkdtemp(pattern.data());
+        fs::copy(fs::path(source_dir) / "tools", root_ / "tools");
+        for (const char* folder : {"cmake", "pxm", "dsp_kernels", "host"})
+            fs::create_directory(root_ / folder);
+        for (const char* file : {"CMakeLists.txt", "CMakePresets.json", "host/main.cpp"})
+            write(root_ / file, "");
+        fs::create_directory(root_ / "bin");
+        stand_in("cmake",
+                 "echo compiling; mkdir -p build/user/bin\n"
+                 "printf '#!/bin/sh\\necho \"at $PWD: $*\"; exit 7\\n' > build/user/bin/pxm\n"
+                 "chmod +x build/user/bin/pxm");
+        stand_in("dpkg", "echo 'Status: install ok installed'");
+        stand_in("apt-get", "echo apt-get \"$@\" >> \"" + log().string() + "\"");
+        stand_in("sudo", "echo sudo >> \"" + log().string() + "\"; exec \"$@\"");
+        stand_in("id", "echo 0");
+    }
+    ~Tools() override { fs::remove_all(root_); }
+    Tools(const Tools&) = delete;
+    Tools& operator=(const Tools&) = delete;
+
+    static void write(const fs::path& path, const std::string& text) {
+        std::ofstream(path) << text;
+    }
+    static std::string read(const fs::path& path) {
+        std::ostringstream text;
+        text << std::ifstream(path).rdbuf();
+        return text.str();
+    }
+    void stand_in(const std::string& name, const std::string& script) const {
+        const fs::path path = root_ / "bin" / name;
+        write(path, "#!/bin/bash\n" + script + "\n");
+        fs::permissions(path, fs::perms::owner_all);
+    }
+    [[nodiscard]] fs::path log() const { return root_ / "log"; }
+
+    /// Runs tools/pxm from the folder `host`, by a relative path.
+    [[nodiscard]] Outcome run(const std::string& arguments) const {
+        const std::string command = "cd '" + (root_ / "host").string() + "' && PATH='" +
+                                    (root_ / "bin").string() + "':$PATH ../tools/pxm " + arguments +
+                                    " </dev/null >../out 2>../err";
+        const int status = std::system(command.c_str());
+        return {WEXITSTATUS(status), read(root_ / "out"), read(root_ / "err")};
+    }
+    /// Makes a source newer than the last build.
+    void edit(const fs::path& file) const {
+        fs::last_write_time(root_ / file,
+                            fs::file_time_type::clock::now() + std::chrono::seconds(5));
+    }
+
+    fs::path root_;
+};
+
+TEST_F(Tools, the_program_is_built_once_and_run_where_the_caller_is) {
+    const std::string expected = "at " + (root_ / "host").string() + ": render a b.pxm --yes\n";
+    const Outcome first = run("render 'a b.pxm' --yes");
+    EXPECT_EQ(first.exit_code, 7) << "the program's own exit code";
+    EXPECT_EQ(first.out, expected);
+    EXPECT_THAT(first.err, HasSubstr("building pxm"));
+
+    stand_in("cmake", "exit 1");
+    stand_in("dpkg", "exit 1");
+    const Outcome later = run("render 'a b.pxm' --yes");
+    EXPECT_EQ(later.exit_code, 7);
+    EXPECT_EQ(later.out, expected);
+    EXPECT_THAT(later.err, IsEmpty()) << "nothing is looked up when the build is fresh";
+}
+
+TEST_F(Tools, a_newer_source_and_a_removed_one_build_again) {
+    ASSERT_EQ(run("").exit_code, 7);
+    edit("host/main.cpp");
+    EXPECT_THAT(run("").err, HasSubstr("building pxm"));
+    fs::last_write_time(root_ / "host/main.cpp",
+                        fs::file_time_type::clock::now() - std::chrono::hours(1));
+    ASSERT_EQ(run("").err, "");
+    edit("host");  // the time of a folder tells of files added and removed
+    EXPECT_THAT(run("").err, HasSubstr("building pxm"));
+}
+
+TEST_F(Tools, a_failed_build_shows_its_output_and_runs_nothing) {
+    ASSERT_EQ(run("").exit_code, 7);
+    edit("host/main.cpp");
+    stand_in("cmake", "echo main.cpp: no such thing; exit 1");
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        const Outcome outcome = run("");
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_THAT(outcome.out, IsEmpty());
+        EXPECT_THAT(outcome.err, HasSubstr("no such thing"));
+    }
+}
+
+TEST_F(Tools, root_installs_what_is_missing_without_asking) {
+    stand_in("dpkg", "[[ $2 != libglm-dev ]] && echo 'Status: install ok installed'");
+    EXPECT_EQ(run("").exit_code, 7);
+    const std::string calls = read(log());
+    EXPECT_THAT(calls, HasSubstr("update"));
+    EXPECT_THAT(calls, HasSubstr("install -y --no-install-recommends"));
+    EXPECT_THAT(calls, HasSubstr("libglm-dev\n"));
+    EXPECT_THAT(calls, testing::Not(HasSubstr("g++")));
+    EXPECT_THAT(calls, testing::Not(HasSubstr("sudo")));
+}
+
+TEST_F(Tools, others_are_asked_before_sudo_unless_yes_comes_first) {
+    stand_in("id", "echo 1000");
+    stand_in("dpkg", "exit 1");
+    const Outcome refused = run("render --yes");
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_THAT(refused.err, HasSubstr("give --yes first"));
+    EXPECT_FALSE(fs::exists(log())) << "nothing was installed";
+
+    const Outcome agreed = run("--yes render");
+    EXPECT_EQ(agreed.exit_code, 7);
+    EXPECT_THAT(agreed.out, HasSubstr(": render\n")) << "--yes is not the program's";
+    EXPECT_THAT(read(log()), HasSubstr("sudo\napt-get -q install"));
+}
+
+TEST_F(Tools, a_failed_installation_shows_why) {
+    stand_in("dpkg", "exit 1");
+    stand_in("apt-get", "echo E: no network; exit 100");
+    const Outcome outcome = run("");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("E: no network"));
+    EXPECT_THAT(outcome.err, HasSubstr("could not be installed"));
+}
+
+}  // namespace
+}  // namespace pxm::test
