@@ -12,94 +12,95 @@ const std::vector<MeasuredModule> module_table{
     // name, program, read-only data, other data; bytes
     {"box", 811, 36, 0},
     {"camera", 268, 4, 0},
-    {"descend", 1026, 4, 0},
-    {"flatness", 207, 8, 0},
-    {"heap", 975, 0, 0},
+    {"descend", 1055, 4, 0},
+    {"flatness", 959, 24, 0},
+    {"heap", 998, 0, 0},
     {"illuminate", 352, 0, 0},
-    {"intersect", 664, 4, 0},
-    {"next_after", 1085, 4, 0},
+    {"intersect", 678, 4, 0},
+    {"next_after", 1112, 4, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 888, 12, 0},
+    {"pixel_program", 904, 12, 0},
     {"point_light", 51, 0, 0},
     {"polar", 893, 24, 0},
-    {"shade", 1425, 4, 0},
+    {"shade", 1442, 4, 0},
     {"sphere", 305, 0, 0},
     {"vectors", 1302, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {59, 3}},  // 0
+    {"box", "box_normal", 176, {60, 3}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {59, 1}},  // 2
+    {"box", "intersect_box", 112, {60, 1}},  // 2
     {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {56, 59, 40, 39}},  // 4
-    {"descend", "child_cell", 128, {57, 60}},  // 5
-    {"descend", "cell_diameter", 32, {48}},  // 6
-    {"descend", "outermost_cell", 176, {57, 58, 60, 12}},  // 7
-    {"descend", "intersect_volume", 8, {2, 55}},  // 8
+    {"camera", "eye_ray", 96, {57, 60, 41, 40}},  // 4
+    {"descend", "child_cell", 144, {58, 61, 16}},  // 5
+    {"descend", "cell_diameter", 32, {49}},  // 6
+    {"descend", "outermost_cell", 176, {58, 59, 61, 12}},  // 7
+    {"descend", "intersect_volume", 8, {2, 56}},  // 8
     {"descend", "meet", 48, {8, 11}},  // 9
     {"descend", "ending", 48, {6, 14}},  // 10
-    {"descend", "approach", 80, {59, 15, 66}},  // 11
+    {"descend", "approach", 80, {60, 67}},  // 11
     {"descend", "is_polar", 8, {}},  // 12
     {"descend", "map_from", 8, {}},  // 13
     {"descend", "pixel_at", 8, {}},  // 14
-    {"flatness", "limit_flatness", 48, {64, 65, 14}},  // 15
-    {"heap", "cell_words", 8, {}},  // 16
-    {"heap", "Heap::pop", 16, {20, 22, 24}},  // 17
-    {"heap", "Heap::keep", 8, {27}},  // 18
-    {"heap", "Heap::push", 80, {18, 21, 23, 26, 27}},  // 19
-    {"heap", "Heap::swap", 8, {}},  // 20
-    {"heap", "Heap::entry", 8, {}},  // 21
-    {"heap", "Heap::fetch", 8, {27}},  // 22
-    {"heap", "Heap::sift_up", 48, {20, 21, 26}},  // 23
-    {"heap", "Heap::sift_down", 80, {20, 21, 26}},  // 24
-    {"heap", "Heap::Heap", 8, {}},  // 25
-    {"heap", "before", 8, {}},  // 26
-    {"heap", "copy_cell", 32, {16}},  // 27
-    {"heap", "move_cell", 8, {27}},  // 28
-    {"illuminate", "illuminate", 128, {56, 59, 45, 64}},  // 29
-    {"intersect", "push_objects", 384, {7, 32, 19, 9}},  // 30
-    {"intersect", "push_children", 416, {5, 47, 32, 19, 9, 12}},  // 31
-    {"intersect", "Cell::Cell", 8, {}},  // 32
-    {"intersect", "intersect", 64, {34, 30, 31, 32, 17, 10}},  // 33
-    {"next_after", "next_after", 448, {7, 35, 22, 9, 26, 10, 36, 37, 13, 28, 38}},  // 34
-    {"next_after", "Cell::Cell", 8, {}},  // 35
-    {"next_after", "CellPath::make_again", 688, {5, 47, 35, 22, 9, 12, 13, 28, 38}},  // 36
-    {"next_after", "CellPath::down", 368, {5, 47, 35, 18, 9, 12, 28}},  // 37
-    {"next_after", "CellWord::get", 8, {}},  // 38
-    {"orthographic", "orthographic_ray", 32, {56, 59}},  // 39
-    {"perspective", "perspective_ray", 16, {69}},  // 40
-    {"pixel_program", "PixelStore::byte", 8, {}},  // 41
-    {"pixel_program", "render_pixel", 448, {56, 29, 49, 4, 33}},  // 42
-    {"pixel_program", "pixel_program", 896, {41, 42, 44, 25}},  // 43
-    {"pixel_program", "read_frame_constants", 16, {59}},  // 44
-    {"point_light", "direction_to_point_light", 80, {68, 69}},  // 45
-    {"polar", "jacobi_rotate", 8, {}},  // 46
-    {"polar", "complete_child", 144, {58, 67}},  // 47
-    {"polar", "largest_singular_value", 128, {46, 64, 65}},  // 48
-    {"shade", "surface_at", 928, {56, 5, 50, 51, 58, 59, 6, 47, 7, 8, 64, 53, 65, 67, 11, 12, 13, 28, 69}},  // 49
-    {"shade", "TotalNormal::add", 48, {56}},  // 50
-    {"shade", "cell_normal", 96, {52, 62, 69}},  // 51
-    {"shade", "volume_normal", 8, {0, 54}},  // 52
-    {"shade", "Cell::Cell", 8, {}},  // 53
-    {"sphere", "sphere_normal", 96, {56, 59, 68}},  // 54
-    {"sphere", "intersect_sphere", 112, {59, 64, 68}},  // 55
-    {"vectors", "add_scaled", 8, {}},  // 56
-    {"vectors", "read_affine", 96, {58, 59}},  // 57
-    {"vectors", "read_linear", 32, {59}},  // 58
-    {"vectors", "read_vector", 8, {}},  // 59
-    {"vectors", "transform_ray", 48, {61, 63}},  // 60
-    {"vectors", "transform_point", 8, {}},  // 61
-    {"vectors", "transform_normal", 64, {64}},  // 62
-    {"vectors", "transform_direction", 8, {}},  // 63
-    {"vectors", "dot", 8, {}},  // 64
-    {"vectors", "scale", 8, {}},  // 65
-    {"vectors", "rebase", 80, {56, 64, 68}},  // 66
-    {"vectors", "compose", 48, {63}},  // 67
-    {"vectors", "subtract", 8, {}},  // 68
-    {"vectors", "normalize", 64, {64, 65}},  // 69
+    {"flatness", "undo_squash", 80, {57, 65, 69}},  // 15
+    {"flatness", "keep_thickness", 208, {59, 60, 15, 64, 65, 12, 14, 70}},  // 16
+    {"heap", "cell_words", 8, {}},  // 17
+    {"heap", "Heap::pop", 16, {21, 23, 25}},  // 18
+    {"heap", "Heap::keep", 8, {28}},  // 19
+    {"heap", "Heap::push", 80, {19, 22, 24, 27, 28}},  // 20
+    {"heap", "Heap::swap", 8, {}},  // 21
+    {"heap", "Heap::entry", 8, {}},  // 22
+    {"heap", "Heap::fetch", 8, {28}},  // 23
+    {"heap", "Heap::sift_up", 48, {21, 22, 27}},  // 24
+    {"heap", "Heap::sift_down", 80, {21, 22, 27}},  // 25
+    {"heap", "Heap::Heap", 8, {}},  // 26
+    {"heap", "before", 8, {}},  // 27
+    {"heap", "copy_cell", 32, {17}},  // 28
+    {"heap", "move_cell", 8, {28}},  // 29
+    {"illuminate", "illuminate", 128, {57, 60, 46, 65}},  // 30
+    {"intersect", "push_objects", 384, {7, 33, 20, 9}},  // 31
+    {"intersect", "push_children", 416, {5, 48, 33, 20, 9, 12}},  // 32
+    {"intersect", "Cell::Cell", 8, {}},  // 33
+    {"intersect", "intersect", 64, {35, 31, 32, 33, 18, 10}},  // 34
+    {"next_after", "next_after", 448, {7, 36, 23, 9, 27, 10, 37, 38, 13, 29, 39}},  // 35
+    {"next_after", "Cell::Cell", 8, {}},  // 36
+    {"next_after", "CellPath::make_again", 688, {5, 48, 36, 23, 9, 12, 13, 29, 39}},  // 37
+    {"next_after", "CellPath::down", 368, {5, 48, 36, 19, 9, 12, 29}},  // 38
+    {"next_after", "CellWord::get", 8, {}},  // 39
+    {"orthographic", "orthographic_ray", 32, {57, 60}},  // 40
+    {"perspective", "perspective_ray", 16, {70}},  // 41
+    {"pixel_program", "PixelStore::byte", 8, {}},  // 42
+    {"pixel_program", "render_pixel", 448, {57, 30, 50, 4, 34}},  // 43
+    {"pixel_program", "pixel_program", 896, {42, 43, 45, 26}},  // 44
+    {"pixel_program", "read_frame_constants", 16, {60}},  // 45
+    {"point_light", "direction_to_point_light", 80, {69, 70}},  // 46
+    {"polar", "jacobi_rotate", 8, {}},  // 47
+    {"polar", "complete_child", 144, {59, 68}},  // 48
+    {"polar", "largest_singular_value", 128, {47, 65, 66}},  // 49
+    {"shade", "surface_at", 928, {57, 5, 51, 52, 59, 60, 6, 48, 7, 8, 65, 54, 66, 68, 11, 12, 13, 29, 70}},  // 50
+    {"shade", "TotalNormal::add", 48, {57}},  // 51
+    {"shade", "cell_normal", 96, {53, 63, 70}},  // 52
+    {"shade", "volume_normal", 8, {0, 55}},  // 53
+    {"shade", "Cell::Cell", 8, {}},  // 54
+    {"sphere", "sphere_normal", 96, {57, 60, 69}},  // 55
+    {"sphere", "intersect_sphere", 112, {60, 65, 69}},  // 56
+    {"vectors", "add_scaled", 8, {}},  // 57
+    {"vectors", "read_affine", 96, {59, 60}},  // 58
+    {"vectors", "read_linear", 32, {60}},  // 59
+    {"vectors", "read_vector", 8, {}},  // 60
+    {"vectors", "transform_ray", 48, {62, 64}},  // 61
+    {"vectors", "transform_point", 8, {}},  // 62
+    {"vectors", "transform_normal", 64, {65}},  // 63
+    {"vectors", "transform_direction", 8, {}},  // 64
+    {"vectors", "dot", 8, {}},  // 65
+    {"vectors", "scale", 8, {}},  // 66
+    {"vectors", "rebase", 80, {57, 65, 69}},  // 67
+    {"vectors", "compose", 48, {64}},  // 68
+    {"vectors", "subtract", 8, {}},  // 69
+    {"vectors", "normalize", 64, {65, 66}},  // 70
 };
 // clang-format on
 
