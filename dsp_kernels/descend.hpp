@@ -69,7 +69,7 @@ void child_cell(Node& node, const Search<Real>& search, const Cell<Real>& parent
     using Object = ObjectRecord<real_words<Real>>;
     child.ray = transform_ray(node, parent.ray, read_affine(node, map + Map::inverse));
     node.tally(Operation::multiply_add, 1);
-    node.tally(Operation::integer, 8U + CellWord::used(parent.level, parent.bits));
+    node.tally(Operation::integer, 9U + CellWord::used(parent.level, parent.bits));
     child.constant = parent.constant * node.shape_real(map + Map::constant);
     child.object = parent.object;
     child.follow_set = node.shape_word(map + Map::follow_set);

@@ -46,9 +46,12 @@ template <NodeLike Node, class Real = typename Node::Real>
 void lose_axis(Node& node, const Search<Real>& search, const Vec3<Real>& center,
                const Vec3<Real>& axis, const Cell<Real>& parent, std::uint32_t map,
                Cell<Real>& child) noexcept {
+    node.tally(Operation::integer, 4);
     child.lost[child.lost_axes++] = axis;
     if (!is_polar(node, child.object)) return;
-    node.tally(Operation::compare_branch, 2);
+    node.tally(Operation::select, 1);
+    node.tally(Operation::multiply_add, 1);
+    node.tally(Operation::compare_branch, 1);
     const Real t = parent.ray.base < Real(0) ? Real(0) : parent.ray.base;
     const Real p = search.detail * pixel_at(node, search, child.object, t);
     const Real thickness = thickness_along(node, axis, parent, map, child);
@@ -65,6 +68,7 @@ void keep_thickness(Node& node, const Search<Real>& search, const Cell<Real>& pa
     using FollowSet = FollowSetRecord<real_words<Real>>;
     using Map = MapRecord<real_words<Real>>;
     node.tally(Operation::call, 1);
+    node.tally(Operation::integer, 2);
     const std::uint32_t lost_here = node.shape_word(map + Map::lost_axes);
     if (parent.lost_axes == 0 && lost_here == 0) return;
     const Vec3<Real> center = read_vector(node, child.follow_set + FollowSet::center);
@@ -79,6 +83,7 @@ void keep_thickness(Node& node, const Search<Real>& search, const Cell<Real>& pa
             node.tally(Operation::reciprocal, 1);
             undo_squash(node, center, axis, reciprocal(stretch), child.ray);
         }
+        node.tally(Operation::integer, 4);
         child.lost[child.lost_axes++] = axis;
     }
     constexpr Real nearly_parallel = from_double<Real>(0.5);
@@ -87,6 +92,8 @@ void keep_thickness(Node& node, const Search<Real>& search, const Cell<Real>& pa
         const Vec3<Real> axis = read_vector(node, map + Map::lost + 3 * i * real_words<Real>);
         bool known = false;
         for (std::uint32_t k = 0; k < child.lost_axes; ++k) {
+            node.tally(Operation::loop_turn, 1);
+            node.tally(Operation::select, 1);
             node.tally(Operation::compare_branch, 1);
             known = known || nearly_parallel < absolute(dot(node, axis, child.lost[k]));
         }

@@ -41,6 +41,20 @@ TEST(CostModel, the_committed_file_is_the_default) {
     }
 }
 
+TEST(CostModel, the_documented_table_is_the_default) {
+    std::ifstream file(test::source_dir + "/docs/machine.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (const CostEntry& entry : default_cost_entries()) {
+        const std::string sources =
+            entry.source.empty() ? "" : " [" + std::string(entry.source) + "]";
+        std::ostringstream row;
+        row << "| `" << operation_names[static_cast<std::size_t>(entry.operation)] << "` | "
+            << entry.cost.tight << " | " << entry.cost.plain << " | "
+            << static_cast<char>(entry.certainty) << sources << " | " << entry.sentence << " |\n";
+        EXPECT_NE(text.find(row.str()), std::string::npos) << row.str();
+    }
+}
+
 TEST(CostModel, what_the_file_says_is_taken) {
     Json json = default_file();
     json["plain_share"] = 0.25;
