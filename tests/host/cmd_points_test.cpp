@@ -1,0 +1,84 @@
+// Laws of `pxm points`.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "tests/support/command.hpp"
+
+namespace pxm::test {
+namespace {
+
+class Points : public testing::Test {
+  protected:
+    Points() { folder.write("tetra.pxm", tetra_scene); }
+    Folder folder;
+};
+
+/// What follows the header of a PLY file.
+std::string body_of(const std::string& ply) {
+    const std::string end = "end_header\n";
+    const std::size_t at = ply.find(end);
+    return at == std::string::npos ? "" : ply.substr(at + end.size());
+}
+
+TEST_F(Points, a_cloud_has_the_points_its_header_says) {
+    expect_done(folder, {"points", "tetra.pxm", "-n", "1000", "-o", "cloud.ply"});
+    const std::string ply = folder.read("cloud.ply");
+    EXPECT_EQ(ply.substr(0, ply.find("end_header")),
+              "ply\nformat binary_little_endian 1.0\ncomment pxm " PXM_VERSION
+              " points of tetra.pxm\nelement vertex 1000\n"
+              "property float x\nproperty float y\nproperty float z\n"
+              "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+    const std::string body = body_of(ply);
+    ASSERT_EQ(body.size(), 1000U * 15);
+    for (std::size_t i = 0; i < 1000; ++i) {
+        float xyz[3];
+        std::memcpy(xyz, body.data() + 15 * i, sizeof xyz);
+        ASSERT_LE(std::hypot(xyz[0], xyz[1], xyz[2]), 1.01F);  // the tetra's ball
+    }
+}
+
+TEST_F(Points, the_seed_alone_decides_the_points) {
+    expect_done(folder, {"points", "tetra.pxm", "-n", "100", "-o", "a.ply"});
+    expect_done(folder, {"points", "tetra.pxm", "-n", "100", "-o", "b.ply"});
+    expect_done(folder, {"points", "tetra.pxm", "-n", "100", "-o", "c.ply", "--seed", "2"});
+    EXPECT_EQ(folder.read("a.ply"), folder.read("b.ply"));
+    EXPECT_NE(body_of(folder.read("a.ply")), body_of(folder.read("c.ply")));
+}
+
+TEST_F(Points, every_object_has_its_share) {
+    folder.write("two.pxm",
+                 "ifs spot { newmap scale: 0.5 }\n"
+                 "object left { ifs: spot translate: -5,0,0 color: 1,0,0,1 }\n"
+                 "object right { ifs: spot translate: 5,0,0 color: 0,0,1,1 }\n");
+    expect_done(folder, {"points", "two.pxm", "-n", "7", "-o", "two.ply"});
+    const std::string body = body_of(folder.read("two.ply"));
+    ASSERT_EQ(body.size(), 7U * 15);
+    int left = 0;
+    for (std::size_t i = 0; i < 7; ++i) {
+        float x = 0;
+        std::memcpy(&x, body.data() + 15 * i, sizeof x);
+        const bool is_left = x < 0;
+        EXPECT_NEAR(std::abs(x), 5, 1e-6);
+        EXPECT_EQ(static_cast<unsigned char>(body[15 * i + 12]), is_left ? 255 : 0);
+        EXPECT_EQ(static_cast<unsigned char>(body[15 * i + 14]), is_left ? 0 : 255);
+        left += is_left;
+    }
+    EXPECT_TRUE(left == 3 || left == 4) << left;
+}
+
+TEST_F(Points, mistakes_have_their_codes_and_leave_no_file) {
+    folder.write("grows.pxm", "ifs grows { newmap scale: 1.1 }");
+    const auto before = folder.contents();
+    EXPECT_EQ(run(folder, {"points", "grows.pxm", "-n", "9", "-o", "x.ply"}).exit_code, 3);
+    EXPECT_EQ(run(folder, {"points", "none.pxm", "-n", "9", "-o", "x.ply"}).exit_code, 4);
+    EXPECT_EQ(run(folder, {"points", "tetra.pxm", "-n", "9", "-o", "no/x.ply"}).exit_code, 4);
+    EXPECT_EQ(run(folder, {"points", "tetra.pxm", "-n", "0", "-o", "x.ply"}).exit_code, 2);
+    EXPECT_EQ(run(folder, {"points", "tetra.pxm", "-o", "x.ply"}).exit_code, 2);
+    EXPECT_EQ(folder.contents(), before);
+}
+
+}  // namespace
+}  // namespace pxm::test
