@@ -11,9 +11,9 @@
 #include <optional>
 
 #include "host/fractal/bounds.hpp"
+#include "host/fractal/convex_hull.hpp"
 #include "host/fractal/growth.hpp"
 #include "host/fractal/inner_points.hpp"
-#include "host/fractal/convex_hull.hpp"
 #include "host/fractal/word_sums.hpp"
 
 namespace pxm::host {

@@ -167,13 +167,17 @@ void add_use(const char* what, const MemoryUse& use, std::string& text) {
 void add_needs(const NodeNeeds& needs, std::string& text) {
     text += fmt::format("a node of the {}\n", needs.model);
     for (const ProgramModule& module : needs.program.modules) {
-        line(text, module.name.c_str(), module.because);
+        line(text, module.name.c_str(),
+             fmt::format("{:5} bytes: {}", module.bytes, module.because));
     }
     std::string left_out;
     for (const ProgramModule& module : needs.program.left_out) {
         left_out += (left_out.empty() ? "" : ", ") + module.name;
     }
     line(text, "left out", left_out);
+    line(text, "stack", fmt::format("{:5} bytes", needs.program.stack_bytes));
+    line(text, "heap order", fmt::format("{:5} bytes", needs.program.heap_order_bytes));
+    add_use("fast memory", {fast_memory_bytes, needs.program.used_bytes()}, text);
     add_use("front buffer", needs.memory.front_buffer, text);
     add_use("back buffer", needs.memory.back_buffer, text);
     add_use("z-buffer", needs.memory.zbuffer, text);
