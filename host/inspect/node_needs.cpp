@@ -61,8 +61,10 @@ NodeNeeds node_needs(const Scene& scene, Diagnostics& diagnostics) {
     if (diagnostics.has_errors()) return needs;
     needs.program = link(compiled);
     needs.memory = memory_of(compiled, *find_model(inspected_model));
-    needs.over_limit = is_over(needs.memory.front_buffer) || is_over(needs.memory.back_buffer) ||
-                       is_over(needs.memory.zbuffer) || is_over(needs.memory.texture);
+    needs.memory.fast_memory = {fast_memory_bytes, needs.program.used_bytes()};
+    needs.over_limit = is_over(needs.memory.fast_memory) || is_over(needs.memory.front_buffer) ||
+                       is_over(needs.memory.back_buffer) || is_over(needs.memory.zbuffer) ||
+                       is_over(needs.memory.texture);
     return needs;
 }
 

@@ -15,7 +15,7 @@ struct NodeNeeds {
     std::string model;  // of the machine that the bytes are for
     NodeProgram program;
     MachineStatistics memory;  // its banks alone
-    bool over_limit = false;   // a bank would be too small
+    bool over_limit = false;   // a memory would be too small
 };
 
 /// Of a scene that check_scene found right and whose systems contract. What this version cannot

@@ -5,7 +5,6 @@
 
 #include "host/output/inspect_names.hpp"
 #include "host/output/program_json.hpp"
-#include "pxm/model.hpp"
 
 namespace pxm::host {
 
@@ -212,6 +211,7 @@ std::string inspect_json(const Inspection& inspection) {
     }
     json["program"] = program_json(needs.program);
     json["memory"] = {{"model", needs.model},
+                      {"fast_memory", use_json(needs.memory.fast_memory)},
                       {"front_buffer", use_json(needs.memory.front_buffer)},
                       {"back_buffer", use_json(needs.memory.back_buffer)},
                       {"zbuffer", use_json(needs.memory.zbuffer)},

@@ -57,6 +57,8 @@ TEST(Inspection, tells_what_a_node_needs) {
     const json& found = two_parts_json();
     EXPECT_EQ(found["program"]["limit_bytes"], 36864);
     EXPECT_FALSE(found["program"]["modules"].empty());
+    EXPECT_GT(found["program"]["modules"][0]["bytes"], 0);
+    EXPECT_EQ(found["program"]["used_bytes"], found["memory"]["fast_memory"]["used_bytes"]);
     EXPECT_FALSE(found["program"]["left_out"].empty());
     EXPECT_GT(found["memory"]["back_buffer"]["used_bytes"], 0);
     EXPECT_EQ(found["memory"]["front_buffer"]["used_bytes"], 640 / 8 * 480 / 8 * 4);
