@@ -15,12 +15,12 @@ namespace pxm::host {
 
 namespace {
 
-constexpr long leaf_limit = 200'000;   // cells that give a point
+constexpr long leaf_limit = 170'000;   // cells that give a point
 constexpr long visit_limit = 600'000;  // cells looked at
-constexpr long random_points = 400'000;
-constexpr long points_a_box = 8;       // fewer random points would miss boxes
-constexpr double cells_a_side = 2;     // boxes are at least so many cells wide
-constexpr double largest_side = 0.25;  // of the attractor's size
+constexpr long random_points = 300'000;
+constexpr double step = std::numbers::sqrt2;  // from one scale to the next
+constexpr double cells_a_side = 2;            // boxes are at least so many cells wide
+constexpr double largest_side = 0.25;         // of the attractor's size
 constexpr std::size_t fewest_scales = 4;
 constexpr double coarsest_cell = 1.0 / 16;  // of the size: coarser cells leave no scales
 constexpr double finest_cell = 1e-6;
@@ -64,6 +64,17 @@ class Enumerator {
     const std::vector<Bounds>& bounds_;
     const std::vector<Points>& inner_;
 };
+
+/// A walk that forgets its past slowly stays in a part of the attractor.
+bool walk_is_long_enough(const Rifs& rifs) {
+    constexpr double forgetting_times = 1000;
+    double log_lip = 0;  // mean over the maps
+    for (const Affine& map : rifs.maps) {
+        const double lip = std::max(lipschitz_constant(map), 1e-300);
+        log_lip += std::log(lip) / static_cast<double>(rifs.maps.size());
+    }
+    return -log_lip * static_cast<double>(random_points) >= forgetting_times;
+}
 
 /// Random maps on the outside of a point of the attractor lead through the attractor, where every
 /// map may stand anywhere.
@@ -125,7 +136,7 @@ void fit_line(BoxCounting& result) {
 double finest_affordable(Enumerator& enumerator, double size, Points& points) {
     double cell = 2 * size;
     while (cell > finest_cell * size) {
-        const double finer = cell / std::numbers::sqrt2;
+        const double finer = cell / step;
         auto found = enumerator.points(finer);
         if (!found) break;
         points = std::move(*found);
@@ -134,13 +145,34 @@ double finest_affordable(Enumerator& enumerator, double size, Points& points) {
     return cell;
 }
 
-void count_scales(const Points& points, const Box& box, double size, double finest, long most_boxes,
-                  BoxCounting& result) {
-    for (double side = largest_side * size; side >= finest; side /= std::numbers::sqrt2) {
+/// Random points have found all boxes if half of them find nearly as many.
+bool is_sampled(const Points& points, const Box& box, double side, long boxes) {
+    constexpr double nearly = 0.97;
+    const Points half(points.begin(), points.begin() + static_cast<long>(points.size() / 2));
+    return static_cast<double>(boxes_needed(half, box, side)) >=
+           nearly * static_cast<double>(boxes);
+}
+
+void count_cells(const Points& points, const Box& box, double size, double cell,
+                 BoxCounting& result) {
+    for (double side = largest_side * size; side >= cells_a_side * cell; side /= step) {
+        result.scales.push_back({side, boxes_needed(points, box, side)});
+    }
+}
+
+void count_walk(const Points& points, const Box& box, double size, BoxCounting& result) {
+    for (double side = largest_side * size; side >= finest_cell * size; side /= step) {
         const long boxes = boxes_needed(points, box, side);
-        if (boxes > most_boxes) break;
+        if (!is_sampled(points, box, side, boxes)) break;
         result.scales.push_back({side, boxes});
     }
+}
+
+/// Coarse grids show the outline more than what is inside of it.
+void drop_coarse_scales(std::vector<BoxScale>& scales) {
+    constexpr std::size_t plenty = 8;
+    if (scales.size() <= plenty) return;
+    scales.erase(scales.begin(), scales.begin() + static_cast<long>(scales.size() / 3));
 }
 
 }  // namespace
@@ -163,21 +195,22 @@ BoxCounting count_boxes(const Rifs& rifs, const std::vector<Bounds>& bounds) {
     const double cell = finest_affordable(enumerator, size, points);
     if (cell <= coarsest_cell * size) {
         result.method = "a point of every cell of one size";
-        count_scales(points, box, size, cells_a_side * cell, leaf_limit, result);
+        count_cells(points, box, size, cell, result);
     }
-    if (result.scales.size() < fewest_scales && rifs.follow_sets.size() == 1) {
+    if (result.scales.size() < fewest_scales && rifs.follow_sets.size() == 1 &&
+        walk_is_long_enough(rifs)) {
         result.scales.clear();
         result.method = "points of a random walk: there are too many cells";
         points = random_walk(rifs, inner[rifs.start]);
-        count_scales(points, box, size, finest_cell * size,
-                     static_cast<long>(points.size()) / points_a_box, result);
+        count_walk(points, box, size, result);
     }
     result.points = static_cast<long>(points.size());
     if (result.scales.size() < fewest_scales) {
         result.scales.clear();
-        result.method = "not measured: more cells than the limit of 200000 at the coarsest scales";
+        result.method = "not measured: more cells than the limit of 170000 at the coarsest scales";
         return result;
     }
+    drop_coarse_scales(result.scales);
     fit_line(result);
     return result;
 }

@@ -206,8 +206,8 @@ Points thickened(const Points& points, double tolerance, double thickness) {
     return result;
 }
 
-bool separated(const ConvexHull& a, const Affine& image_a, const ConvexHull& b, const Affine& image_b,
-               double tolerance) {
+bool separated(const ConvexHull& a, const Affine& image_a, const ConvexHull& b,
+               const Affine& image_b, double tolerance) {
     const Points x = images(a, image_a);
     const Points y = images(b, image_b);
     return separated_along_axes(x, y, tolerance) ||

@@ -25,7 +25,7 @@ struct ConvexHull {
     [[nodiscard]] bool contains(const glm::dvec3& point, double tolerance) const;
 };
 
-inline constexpr std::size_t most_corners = 48;
+inline constexpr std::size_t most_corners = 40;
 
 /// The convex hull. Nothing if it is flat to within `tolerance` (a length) or has too many corners.
 [[nodiscard]] std::optional<ConvexHull> convex_hull(const Points& points, double tolerance);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <map>
 #include <numeric>
 
@@ -19,8 +21,8 @@ namespace {
 constexpr double same_point = 1e-8;  // of the attractor's size: points nearer are one
 constexpr long edge_limit =
     20'000;  // maps that may come somewhere, for the search of common points
-constexpr long pair_limit = 50'000;          // pairs of maps that may come at one place
-constexpr long cell_pair_limit = 1'000'000;  // pairs of cells compared
+constexpr long pair_limit = 50'000;        // pairs of maps that may come at one place
+constexpr long cell_pair_limit = 300'000;  // pairs of cells compared
 
 /// Theorem 3.9; with a graph, the sums are a matrix, and its spectral radius counts.
 bool constants_add_up_to_less(const Rifs& rifs) {
@@ -56,13 +58,26 @@ class PairSearch {
     struct Cell {
         Affine place;
         int set = 0;
-        glm::dvec3 center{0.0};
-        double radius = 0;
+        Ball ball;
+        Box box;
     };
 
     Cell make(const Affine& place, int set) const {
-        const Ball& ball = bounds_[set].ball;
-        return {place, set, place.point(ball.center), lipschitz_constant(place) * ball.radius};
+        const Bounds& b = bounds_[set];
+        const glm::dvec3 half = (b.box.high - b.box.low) / 2.0;
+        const glm::dvec3 middle = place.point((b.box.low + b.box.high) / 2.0);
+        glm::dvec3 reach{0.0};
+        for (int i = 0; i < 3; ++i) reach += glm::abs(place.linear[i]) * half[i];
+        return {place,
+                set,
+                {place.point(b.ball.center), lipschitz_constant(place) * b.ball.radius},
+                {middle - reach, middle + reach}};
+    }
+    static bool bounds_are_apart(const Cell& a, const Cell& b) {
+        if (glm::distance(a.ball.center, b.ball.center) > a.ball.radius + b.ball.radius)
+            return true;
+        return glm::any(glm::greaterThan(a.box.low, b.box.high)) ||
+               glm::any(glm::greaterThan(b.box.low, a.box.high));
     }
     Cell image(int m) const { return make(rifs_.maps[m], rifs_.follow_of[m]); }
 
@@ -72,9 +87,9 @@ class PairSearch {
             auto [x, y] = open.back();
             open.pop_back();
             if (++looked_at_ > cell_pair_limit) return false;
-            if (glm::distance(x.center, y.center) > x.radius + y.radius) continue;
-            if (x.radius + y.radius < same_point * size_) return false;  // as good as touching
-            if (x.radius < y.radius) std::swap(x, y);
+            if (bounds_are_apart(x, y)) continue;
+            if (x.ball.radius + y.ball.radius < same_point * size_) return false;  // they touch
+            if (x.ball.radius < y.ball.radius) std::swap(x, y);
             for (const int m : rifs_.follow_sets[x.set].maps) {
                 open.emplace_back(make(then(rifs_.maps[m], x.place), rifs_.follow_of[m]), y);
             }

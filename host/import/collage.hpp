@@ -18,7 +18,8 @@ class GridSet {
 
     [[nodiscard]] double cell() const { return cell_; }
     /// An upper bound of the Hausdorff distance of the set's cell centres from the union of their
-    /// images, too large by at most a cell.
+    /// images, too large by at most a cell and a half, or more for images that stick out by more
+    /// than a quarter of the set's size.
     [[nodiscard]] double collage_distance(std::span<const PlaneMap> maps) const;
 
   private:

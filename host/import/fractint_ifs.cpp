@@ -132,7 +132,7 @@ std::vector<FractintIfs> parse_fractint_ifs(std::string_view text, Diagnostics& 
             continue;
         }
         if (is_comment_entry(ifs.entry)) {
-            reader.skip_entry();
+            reader.skip_comment_entry();
             continue;
         }
         read_option(ifs);

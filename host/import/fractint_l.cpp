@@ -268,7 +268,7 @@ std::vector<FractintL> parse_fractint_l(std::string_view text, Diagnostics& diag
             continue;
         }
         if (is_comment_entry(l.entry)) {
-            reader.skip_entry();
+            reader.skip_comment_entry();
             continue;
         }
         EntryReader(reader, l).read();

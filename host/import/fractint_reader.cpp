@@ -87,6 +87,11 @@ void FractintReader::skip_entry() {
     }
 }
 
+void FractintReader::skip_comment_entry() {
+    while (!at_end() && take() != '}') {
+    }
+}
+
 bool FractintReader::head(FractintEntry& entry, Diagnostics& diagnostics) {
     entry.position = position();
     std::string name(take_word());

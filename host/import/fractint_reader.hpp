@@ -43,6 +43,8 @@ class FractintReader {
     [[nodiscard]] bool at_head() const;
     /// Goes on to behind the next '}', or to the next head or the end.
     void skip_entry();
+    /// Goes on to behind the next '}' whatever stands before it.
+    void skip_comment_entry();
 
     /// Reads a head up to its '{'; false, with an error in `diagnostics`, if there is none here:
     /// then the words up to the next head or brace were skipped.

@@ -97,6 +97,7 @@ std::string scene_name(std::string_view text) {
 Scene imported_scene(IfsBlock maps, const std::string& name, Space space,
                      const SourceFile& source) {
     Scene scene;
+    scene.files = {source};  // what the blocks' positions refer to
     maps.name = scene_name(name);
     const Position place = maps.position;
     scene.ifs.push_back(std::move(maps));

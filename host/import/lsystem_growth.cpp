@@ -102,6 +102,8 @@ void rescale(Level& level) {
 
 bool same_turn(const TurtleTurn& a, const TurtleTurn& b) {
     constexpr double tolerance = 1e-9;
+    constexpr double vanished = 1e-30;  // a step that shrinks or grows at every level gets there
+    if (a.step < vanished || a.step > 1 / vanished) return false;
     return a.flip == b.flip && std::abs(std::remainder(a.degrees - b.degrees, 360.0)) < 1e-6 &&
            std::abs(a.step - b.step) <= tolerance * std::max(a.step, b.step);
 }

@@ -20,6 +20,7 @@ constexpr int parameters_a_map = 6;
 constexpr int highest_order = 10;  // beyond, moments of one picture hardly differ
 constexpr double most_lipschitz = 0.98;
 constexpr int grid_cells = 200;
+constexpr double enough_cells = 3;  // what pixels and the grid leave of an exact collage
 constexpr long most_restarts = 100'000;
 
 using Vector = Eigen::VectorXd;
@@ -209,8 +210,7 @@ class Search {
             const Descent found = descend(objective, starts.next(), [&] { return over(); });
             take(found, set, objective, best);
             best.restarts = restart + 1;
-            // Two cells is what rounding to the grid leaves of an exact collage.
-            if (best.collage_distance <= 2 * set.cell() && best.bound < infinite) break;
+            if (best.collage_distance <= enough_cells * set.cell() && best.bound < infinite) break;
             if (over() && best.bound < infinite) break;
             if (request_.stop && request_.stop()) break;
         }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/output/inspect_names.hpp"
+#include "host/output/program_json.hpp"
 #include "pxm/model.hpp"
 
 namespace pxm::host {
@@ -194,15 +195,6 @@ Json object_json(const ObjectFacts& object) {
     return json;
 }
 
-/// The bytes of a module are null where none have been measured.
-Json modules_json(const std::vector<ProgramModule>& modules) {
-    Json list = Json::array();
-    for (const ProgramModule& module : modules) {
-        list.push_back({{"name", module.name}, {"bytes", nullptr}, {"because", module.because}});
-    }
-    return list;
-}
-
 Json use_json(const MemoryUse& use) {
     return {{"limit_bytes", use.limit_bytes}, {"used_bytes", use.used_bytes}};
 }
@@ -218,10 +210,7 @@ std::string inspect_json(const Inspection& inspection) {
     for (const ObjectFacts& object : inspection.objects) {
         json["objects"].push_back(object_json(object));
     }
-    json["program"] = {{"limit_bytes", fast_memory_bytes},
-                       {"used_bytes", nullptr},
-                       {"modules", modules_json(needs.program.modules)},
-                       {"left_out", modules_json(needs.program.left_out)}};
+    json["program"] = program_json(needs.program);
     json["memory"] = {{"model", needs.model},
                       {"front_buffer", use_json(needs.memory.front_buffer)},
                       {"back_buffer", use_json(needs.memory.back_buffer)},

@@ -79,20 +79,40 @@ void add_graph(const IfsFacts& ifs, std::string& text) {
     if (!graph.unreachable.empty()) line(text, "unreachable", names(ifs.rifs, graph.unreachable));
 }
 
+/// `times` too much, or nothing where it is rounding.
+std::string excess(const char* what, double times, const char* wrong) {
+    constexpr double rounding = 1e-9;
+    if (times < 1 + rounding) return fmt::format("{} is right", what);
+    return fmt::format("{} is up to {:.4g} times too {}", what, times, wrong);
+}
+
 void add_words(const IfsFacts& ifs, std::string& text) {
     const WordLipschitz& longest = ifs.words.back();
     line(text, "Lipschitz bounds",
-         fmt::format("words of {}: the product is up to {:.4g} times too large, the determinant's "
-                     "root up to {:.4g} times too small",
-                     longest.length, longest.product_over_actual, longest.actual_over_determinant));
+         fmt::format("words of {}: {}, {}", longest.length,
+                     excess("the product", longest.product_over_actual, "large"),
+                     excess("the determinant's root", longest.actual_over_determinant, "small")));
+}
+
+/// Coordinates that are 0 but for the margin of the bounds.
+glm::dvec3 without_margin(glm::dvec3 p, double size) {
+    constexpr double margin = 1e-8;
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(p[i]) < margin * size) p[i] = 0;
+    }
+    return p;
 }
 
 void add_volumes(const IfsFacts& ifs, std::string& text) {
     const Bounds& all = ifs.bounds[ifs.rifs.start];
+    const double size = all.ball.radius;
     line(text, "bounding sphere",
-         fmt::format("{} radius {}, at most {:.2g} % too large", point(all.ball.center),
-                     number(all.ball.radius), 100 * all.ball_slack));
-    line(text, "bounding box", point(all.box.low) + " to " + point(all.box.high));
+         fmt::format("{} radius {}, at most {:.2g} % too large",
+                     point(without_margin(all.ball.center, size)), number(size),
+                     100 * all.ball_slack));
+    line(text, "bounding box",
+         point(without_margin(all.box.low, size)) + " to " +
+             point(without_margin(all.box.high, size)));
 }
 
 void add_dimensions(const Dimensions& found, std::string& text) {
@@ -147,13 +167,17 @@ void add_use(const char* what, const MemoryUse& use, std::string& text) {
 void add_needs(const NodeNeeds& needs, std::string& text) {
     text += fmt::format("a node of the {}\n", needs.model);
     for (const ProgramModule& module : needs.program.modules) {
-        line(text, module.name.c_str(), module.because);
+        line(text, module.name.c_str(),
+             fmt::format("{:5} bytes: {}", module.bytes, module.because));
     }
     std::string left_out;
     for (const ProgramModule& module : needs.program.left_out) {
         left_out += (left_out.empty() ? "" : ", ") + module.name;
     }
     line(text, "left out", left_out);
+    line(text, "stack", fmt::format("{:5} bytes", needs.program.stack_bytes));
+    line(text, "heap order", fmt::format("{:5} bytes", needs.program.heap_order_bytes));
+    add_use("fast memory", {fast_memory_bytes, needs.program.used_bytes()}, text);
     add_use("front buffer", needs.memory.front_buffer, text);
     add_use("back buffer", needs.memory.back_buffer, text);
     add_use("z-buffer", needs.memory.zbuffer, text);

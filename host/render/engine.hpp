@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "host/output/cost_model_json.hpp"
 #include "host/render/compiled_scene.hpp"
-#include "host/render/cost_model.hpp"
 #include "host/render/frame.hpp"
 #include "host/render/statistics.hpp"
 #include "pxm/model.hpp"

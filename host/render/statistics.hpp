@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/render/cost_model.hpp"
+#include "host/output/cost_model_json.hpp"
 #include "host/render/link.hpp"
 #include "host/scene/scene.hpp"
 

@@ -87,7 +87,7 @@ TEST(FractintIfs, spacing_line_ends_and_case_do_not_matter) {
 
 TEST(FractintIfs, a_file_may_hold_several_entries_also_on_one_line) {
     const std::string maps = "{ .5 0 0 .5 0 0 1 }";
-    EXPECT_THAT(names("a " + maps + " b" + maps + "\nComment { b { not this } } c(3D){ }"),
+    EXPECT_THAT(names("a " + maps + " b" + maps + "\nComment { b, not this: 1 2 }"),
                 ElementsAre("a", "b"));
     EXPECT_THAT(names("comment { x }\n3dfern-2 " + maps + "; c " + maps + "\nd" + maps),
                 ElementsAre("3dfern-2", "d"));

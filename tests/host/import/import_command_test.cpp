@@ -65,16 +65,11 @@ TEST_F(ImportCommand, a_dash_prints_the_scene) {
 TEST_F(ImportCommand, exit_codes_are_those_of_the_document) {
     write("f.ifs", two_entries);
     write("grows.ifs", "a { 2 0 0 2 0 0 1 }");
-    write("closed.l", "a { Angle 4 Axiom F F=F+F+F+F }");
     EXPECT_EQ(run("import f.ifs"), 2);
     EXPECT_EQ(text("err"), "pxm: f.ifs has 2 entries; choose one with --entry NAME:\n  a\n  b\n");
     EXPECT_EQ(run("import f.ifs --entry c"), 2);
-    EXPECT_EQ(run("import f.ifs --entry a --maps 0"), 2);
-    EXPECT_EQ(run("import f.png --entry a"), 2);
     EXPECT_EQ(run("import grows.ifs"), 3);
-    EXPECT_EQ(run("import closed.l"), 3);
     EXPECT_EQ(run("import none.ifs"), 4);
-    EXPECT_EQ(run("import none.png"), 4);
     EXPECT_EQ(run("import f.ifs --entry b -o none/x.pxm"), 4);
     EXPECT_FALSE(fs::exists(folder_ / "b.pxm"));
 }

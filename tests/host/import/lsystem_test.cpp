@@ -76,9 +76,10 @@ double one_sided(const std::vector<Complex>& from, const std::vector<Complex>& t
 
 struct Case {
     const char* name;
-    int level;     // drawn by the turtle
-    double size;   // of the cells enumerated
-    double apart;  // allowed between the two, in steps of the turtle
+    int level;              // drawn by the turtle
+    double size;            // of the cells enumerated
+    double apart;           // allowed between the two, in steps of the turtle
+    const char* edge = "";  // the symbol whose edge has length 1; else the first kind's
 };
 
 class LsystemClassics : public testing::TestWithParam<Case> {};
@@ -87,8 +88,10 @@ TEST_P(LsystemClassics, the_limit_is_what_the_turtle_draws) {
     const Case& c = GetParam();
     const FractintL l = classic(c.name);
     const EdgeSystem system = system_of(l);
-    // The first edge has length 1, or runs from 0 to 1 if directions change with the level.
-    const std::string first(1, lower(system.kinds[0].name[0]));
+    // The first edge that anything comes after has length 1, or runs from 0 to 1 if directions
+    // change with the level.
+    std::string first = c.edge;
+    if (first.empty()) first.push_back(lower(system.kinds[0].name[0]));
     const Complex edge = draw(l, word_of_level(l, first, c.level), 1).end;
     const bool turns = system.growth.imag() != 0;
     const double step = 1 / std::abs(edge);
@@ -109,10 +112,10 @@ INSTANTIATE_TEST_SUITE_P(Systems, LsystemClassics,
                                          Case{"Arrowhead", 6, 0.02, 3}, Case{"Levy", 10, 0.033, 3},
                                          Case{"Hilbert", 5, 0.04, 3}, Case{"Terdragon", 6, 0.04, 2},
                                          Case{"Cantor", 6, 0.002, 2}, Case{"Bush", 4, 0.07, 5},
-                                         Case{"Plant", 5, 0.04, 5}, Case{"Tree", 9, 0.03, 2},
+                                         Case{"Plant", 6, 0.05, 3, "f"}, Case{"Tree", 9, 0.03, 2},
                                          Case{"FlowSnake", 4, 0.06, 3},
                                          Case{"Mirrored", 10, 0.033, 3},
-                                         Case{"Degrees", 5, 0.005, 2}, Case{"Spin", 6, 0.02, 4}),
+                                         Case{"Degrees", 5, 0.005, 2}, Case{"Spin", 6, 0.06, 5}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Lsystem, koch_is_four_thirds_of_exact_similitudes) {

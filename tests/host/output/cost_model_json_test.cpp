@@ -1,6 +1,6 @@
-// Laws of host/render/cost_model: what a file may say, and how it is refused. Texts are compared
-// whole.
-#include "host/render/cost_model.hpp"
+// Laws of host/output/cost_model_json: what a file may say, and how it is refused. Texts are
+// compared whole.
+#include "host/output/cost_model_json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "host/render/cost_model.hpp"
+#include "host/output/cost_model_json.hpp"
 
 #include <fmt/format.h>
 
