@@ -235,7 +235,8 @@ std::vector<char> symbols_that_matter(const Grammar& grammar) {
 namespace {
 
 constexpr int longest_period = 24;  // levels after which turns and directions must repeat
-constexpr double settled = 1e-12;   // of the largest displacement
+constexpr std::size_t longest_rules = 65'536;  // commands of all: as many as an ifs has maps
+constexpr double settled = 1e-12;              // of the largest displacement
 
 class GrowthSearch {
   public:
@@ -265,9 +266,11 @@ class GrowthSearch {
 
     /// Many levels, of which the last are kept.
     void run() {
-        constexpr std::size_t most_commands = 40'000'000;
+        constexpr std::size_t most_commands = 10'000'000;
         std::size_t commands = 1;
         for (const Rule& rule : grammar_.rules) commands += rule.commands.size();
+        if (commands > longest_rules)
+            fail(fmt::format("its rules have more than {} commands", longest_rules));
         const std::size_t levels = std::clamp<std::size_t>(most_commands / commands, 200, 2000);
         last_.push_back(level_zero(grammar_));
         levels_ = static_cast<int>(levels);
