@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "host/scene/printable.hpp"
 
 namespace pxm::host {
@@ -11,8 +9,6 @@ namespace {
 
 constexpr std::string_view turtle_commands = "+-|![]@\\/<>";
 constexpr std::size_t longest_word = 65'536;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Reads the statements of one entry. A statement is `Angle n`, `Axiom s` or `X=s`; a string goes
 /// on to the end of the line or to the next statement.
@@ -56,8 +52,7 @@ class EntryReader {
 
     /// Takes the keyword, and '=' after it, if that is what stands here.
     bool starts(std::string_view keyword) {
-        const std::string_view word = reader_.word();
-        const std::string_view head = word.substr(0, word.find('='));
+        const std::string_view head = word_before_equals();
         if (!same_word(head, keyword)) return false;
         for (std::size_t i = 0; i < head.size(); ++i) reader_.take();
         equals();
@@ -91,10 +86,10 @@ class EntryReader {
     bool rule(const Position& place) {
         const char symbol = reader_.peek();
         const std::string_view word = reader_.word();
-        if (word.find('=') != std::string_view::npos && word.find('=') > 1) {
+        if (const auto head = word_before_equals(); head != word && head.size() > 1) {
             error(place, fmt::format("'{}' is replaced only in a context: rules X=string alone "
                                      "have an exact system",
-                                     printable(word.substr(0, word.find('=')))));
+                                     printable(head)));
             return false;
         }
         if (!word.empty()) reader_.take();
@@ -122,9 +117,12 @@ class EntryReader {
 
     /// True if the word here begins another statement of the same line.
     [[nodiscard]] bool at_statement() const {
+        const std::string_view head = word_before_equals();
+        return head != reader_.word() || same_word(head, "angle") || same_word(head, "axiom");
+    }
+    [[nodiscard]] std::string_view word_before_equals() const {
         const std::string_view word = reader_.word();
-        const std::string_view head = word.substr(0, word.find('='));
-        return head.size() < word.size() || same_word(head, "angle") || same_word(head, "axiom");
+        return word.substr(0, word.find('='));
     }
 
     FractintWord string(const Position& position) {
@@ -144,116 +142,6 @@ class EntryReader {
 
     FractintReader& reader_;
     FractintL& l_;
-};
-
-/// Turns a string into turtle commands.
-class WordCompiler {
-  public:
-    WordCompiler(FractintL& l, const FractintWord& word) : l_(l), word_(word) {}
-
-    std::vector<TurtleCommand> compile() {
-        while (place_ < word_.text.size()) command(word_.text[place_]);
-        if (!open_.empty()) error(open_.back(), "'[' without its ']'");
-        return std::move(commands_);
-    }
-
-  private:
-    void error(std::size_t place, const std::string& message) {
-        l_.entry.diagnostics.error(word_.places[place], message);
-    }
-    void add(TurtleOp op, double value = 0, char symbol = 0) {
-        commands_.push_back({op, symbol, value});
-    }
-
-    void command(char c) {
-        const std::size_t start = place_++;
-        if (c == '+' || c == '-') return add(TurtleOp::turn, (c == '+' ? 1 : -1) * step(start));
-        if (c == '\\' || c == '/')
-            return add(TurtleOp::turn, (c == '\\' ? 1 : -1) * number(start, "degrees"));
-        if (c == '|') return round(start);
-        if (c == '!') return add(TurtleOp::flip);
-        if (c == '@') return step_factor(start);
-        if (c == '[' || c == ']') return bracket(c, start);
-        if (c == '<' || c == '>' || (c == 'c' && !l_.rules.contains('c'))) return skip_digits();
-        if (c <= ' ' || c > '~') return error(start, "a character that is not printable ASCII");
-        add(TurtleOp::symbol, 0, c);
-    }
-
-    double step(std::size_t start) {
-        if (!l_.angle) error(start, "a turn, but the entry has no 'Angle'");
-        return 360 / l_.angle.value_or(1);
-    }
-
-    /// With an odd angle number the largest turn below 180 degrees, to the right.
-    void round(std::size_t start) {
-        const double n = l_.angle.value_or(2);
-        const double steps = std::floor(n / 2);
-        if (2 * steps == n) return add(TurtleOp::round, 180);
-        (void)start;
-        uneven_round_ = true;
-        add(TurtleOp::round, -steps * 360 / n);
-    }
-
-    void bracket(char c, std::size_t start) {
-        if (c == '[') {
-            open_.push_back(start);
-        } else if (open_.empty()) {
-            return error(start, "']' without its '['");
-        } else {
-            open_.pop_back();
-        }
-        add(c == '[' ? TurtleOp::push : TurtleOp::pop);
-    }
-
-    void skip_digits() {
-        while (place_ < word_.text.size() && is_digit(word_.text[place_])) ++place_;
-    }
-
-    double number(std::size_t start, std::string_view what) {
-        const std::size_t begin = place_;
-        skip_digits();
-        if (place_ < word_.text.size() && word_.text[place_] == '.') {
-            ++place_;
-            skip_digits();
-        }
-        double value = 0;
-        if (!read_number(std::string_view(word_.text).substr(begin, place_ - begin), value))
-            error(start, fmt::format("'{}' needs a number: {}", word_.text[start], what));
-        return value;
-    }
-
-    /// @n, @In, @Qn, @IQn: inverse, square root.
-    void step_factor(std::size_t start) {
-        bool inverse = false;
-        bool root = false;
-        for (; place_ < word_.text.size(); ++place_) {
-            if (word_.text[place_] == 'i') {
-                inverse = !inverse;
-            } else if (word_.text[place_] == 'q') {
-                root = true;
-            } else {
-                break;
-            }
-        }
-        double factor = number(start, "the factor of the step");
-        if (!(factor > 0)) {
-            error(start, "the factor of the step must be greater than 0");
-            factor = 1;
-        }
-        if (root) factor = std::sqrt(factor);
-        add(TurtleOp::step, inverse ? 1 / factor : factor);
-    }
-
-  public:
-    [[nodiscard]] bool uneven_round() const { return uneven_round_; }
-
-  private:
-    FractintL& l_;
-    const FractintWord& word_;
-    std::vector<TurtleCommand> commands_;
-    std::vector<std::size_t> open_;
-    std::size_t place_ = 0;
-    bool uneven_round_ = false;
 };
 
 }  // namespace
@@ -278,28 +166,6 @@ std::vector<FractintL> parse_fractint_l(std::string_view text, Diagnostics& diag
         list.push_back(std::move(l));
     }
     return list;
-}
-
-Lsystem lsystem_of(FractintL& l) {
-    Lsystem lsystem;
-    lsystem.name = l.entry.name;
-    lsystem.step_degrees = l.angle ? 360 / *l.angle : 0;
-    bool uneven_round = false;
-    bool flips = false;
-    const auto compiled = [&](const FractintWord& word) {
-        WordCompiler compiler(l, word);
-        auto commands = compiler.compile();
-        uneven_round = uneven_round || compiler.uneven_round();
-        flips = flips || word.text.find('!') != std::string::npos;
-        return commands;
-    };
-    if (l.axiom) lsystem.axiom = compiled(*l.axiom);
-    for (const auto& [symbol, word] : l.rules) lsystem.rules[symbol] = compiled(word);
-    if (uneven_round && flips)
-        l.entry.diagnostics.error(l.entry.position,
-                                  "'|' of an odd angle is not mirrored by '!': such an L-system "
-                                  "has no exact linear fractal");
-    return lsystem;
 }
 
 }  // namespace pxm::host

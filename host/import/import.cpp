@@ -87,13 +87,14 @@ Imported import_l(const SourceFile& source, const std::optional<std::string>& wa
     const Lsystem lsystem = lsystem_of(l);
     l.entry.diagnostics.throw_if_errors({source});
     EdgeSystem system;
+    IfsBlock maps;
     try {
         system = edge_system(lsystem);
+        maps = lsystem_maps(system);
     } catch (const Error& error) {  // said at its place
         diagnostics.error(l.entry.position, error.what());
         diagnostics.throw_if_errors({source});
     }
-    IfsBlock maps = lsystem_maps(system);
     maps.position = l.entry.position;
     Scene scene = imported_scene(std::move(maps), l.entry.name, Space::plane, source);
     return finished(std::move(scene),

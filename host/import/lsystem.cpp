@@ -181,6 +181,19 @@ MapBlock map_block(const Similarity& map, const std::string& name) {
     return block;
 }
 
+/// The follow rules of the scene name every edge of the graph.
+void require_small_graph(const EdgeSystem& system) {
+    constexpr std::size_t most_edges = 1'000'000;
+    std::size_t edges = 0;
+    for (const EdgeKind& kind : system.kinds)
+        for (const EdgeMap& map : kind.maps)
+            edges += system.kinds[static_cast<std::size_t>(map.inside)].maps.size();
+    if (system.kinds.size() > 1 && edges > most_edges)
+        throw Error(ExitCode::scene,
+                    fmt::format("the L-system's graph has {} edges: at most {} are taken", edges,
+                                most_edges));
+}
+
 }  // namespace
 
 Similarity then(const Similarity& first, const Similarity& second) {
@@ -196,6 +209,10 @@ EdgeSystem edge_system(const Lsystem& lsystem) {
 
 IfsBlock lsystem_maps(const EdgeSystem& system) {
     IfsBlock block;
+    require_small_graph(system);
+    // One kind, begun with itself: any map inside any other, an IFS without a graph.
+    const bool single = system.start.size() == 1;  // its map is the identity
+    const bool without_graph = single && system.kinds.size() == 1;
     std::vector<std::vector<MapReference>> of_kind;
     for (const EdgeKind& kind : system.kinds) {
         std::vector<MapReference>& names = of_kind.emplace_back();
@@ -204,10 +221,11 @@ IfsBlock lsystem_maps(const EdgeSystem& system) {
     }
     const auto add = [&](const EdgeMap& map, const MapReference& name) {
         block.maps.push_back(map_block(map.map, std::get<std::string>(name.map)));
-        block.follow.push_back({name, of_kind[static_cast<std::size_t>(map.inside)]});
+        if (!without_graph)
+            block.follow.push_back({name, of_kind[static_cast<std::size_t>(map.inside)]});
     };
-    const bool single = system.start.size() == 1;  // its map is the identity
-    if (single) block.start = of_kind[static_cast<std::size_t>(system.start[0].inside)];
+    if (single && !without_graph)
+        block.start = of_kind[static_cast<std::size_t>(system.start[0].inside)];
     for (std::size_t i = 0; !single && i < system.start.size(); ++i) {
         block.start.push_back({fmt::format("axiom{}", i + 1), {}});
         add(system.start[i], block.start.back());
@@ -215,10 +233,6 @@ IfsBlock lsystem_maps(const EdgeSystem& system) {
     for (std::size_t k = 0; k < system.kinds.size(); ++k)
         for (std::size_t i = 0; i < system.kinds[k].maps.size(); ++i)
             add(system.kinds[k].maps[i], of_kind[k][i]);
-    if (single && system.kinds.size() == 1) {  // any map inside any other: an IFS without a graph
-        block.follow.clear();
-        block.start.clear();
-    }
     return block;
 }
 

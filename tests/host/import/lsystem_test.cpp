@@ -186,5 +186,16 @@ TEST(Lsystem, what_has_no_limit_is_refused_with_the_reason) {
                 testing::HasSubstr("what it draws does not grow"));
 }
 
+TEST(Lsystem, long_rules_are_taken_or_refused_in_time) {
+    std::string rule = "F";
+    for (int i = 0; i < 4'000; ++i) rule += "+F-F";
+    const EdgeSystem system = system_of(entry("Angle 4\nAxiom F\nF=" + rule));
+    EXPECT_EQ(lsystem_maps(system).maps.size(), 8'001U);
+    EXPECT_TRUE(lsystem_maps(system).follow.empty());
+    const std::string longer = rule + rule + rule;
+    EXPECT_THAT(refusal(entry("Angle 4\nAxiom F\nF=G" + longer + "\nG=" + longer)),
+                testing::HasSubstr("more than 65536 commands"));
+}
+
 }  // namespace
 }  // namespace pxm::host
