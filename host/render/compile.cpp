@@ -9,9 +9,8 @@
 #include <map>
 #include <optional>
 
-#include "host/fractal/bounds.hpp"
 #include "host/fractal/lipschitz.hpp"
-#include "host/fractal/proven_rifs.hpp"
+#include "host/render/lifted_fractal.hpp"
 #include "host/render/view.hpp"
 #include "host/render/volumes.hpp"
 #include "host/scene/default_objects.hpp"
@@ -20,66 +19,8 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double vanishing = 1e-12;  // of the largest singular value, as classify() has it
-constexpr double first_lift = 1e-4;  // thickness of lifted maps before the size of a pixel is known
-constexpr double least_lift = 1e-6;  // thinner would cost a float its digits
-constexpr double most_lift = 1e-2;   // coarser pixels do not make flat images thicker
 constexpr double largest_length = 1e100;  // world units: the square of more is no double
 constexpr glm::dvec3 base_color{0.9, 0.9, 0.9};
-
-/// An ifs block with what mathematics knows of it.
-struct Fractal {
-    Rifs exact;  // as written
-    Rifs rifs;   // singular maps lifted
-    bool lifted = false;
-    Contraction contraction;
-    std::vector<Bounds> bounds;  // empty until an object needs them
-};
-
-void lift_singular_maps(Fractal& fractal, double thickness) {
-    for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
-        if (classify(fractal.exact.maps[i]) != MapKind::singular) continue;
-        fractal.rifs.maps[i] = lift(fractal.exact.maps[i], thickness);
-        fractal.lifted = true;
-    }
-}
-
-/// The axes that a singular map squashes to nothing.
-std::vector<glm::dvec3> lost_axes(const Affine& map) {
-    std::vector<glm::dvec3> axes;
-    if (classify(map) != MapKind::singular) return axes;
-    const SingularValues values = singular_values(map.linear);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (values.values[axis] <= vanishing * values.values[0]) axes.push_back(values.input[axis]);
-    }
-    return axes;
-}
-
-/// The smallest extent, along the axes that singular maps squash, of what may stand inside them.
-double squashed_extent(const Fractal& fractal) {
-    double smallest = INFINITY;
-    for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
-        const Bounds& inside = fractal.bounds[static_cast<std::size_t>(fractal.rifs.follow_of[i])];
-        const glm::dvec3 size = inside.box.high - inside.box.low;
-        for (const glm::dvec3& axis : lost_axes(fractal.exact.maps[i])) {
-            const double extent = glm::dot(glm::abs(axis), size);
-            if (extent > 1e-6 * inside.ball.radius) smallest = std::min(smallest, extent);
-        }
-    }
-    return smallest;
-}
-
-/// Nothing if the block has an error.
-std::optional<Fractal> make_fractal(const IfsBlock& block, Diagnostics& diagnostics) {
-    auto proven = prove_rifs(block, diagnostics);
-    if (!proven) return std::nullopt;
-    Fractal fractal;
-    fractal.rifs = proven->rifs;
-    fractal.exact = std::move(proven->rifs);
-    fractal.contraction = proven->contraction;
-    lift_singular_maps(fractal, first_lift);
-    return fractal;
-}
 
 /// An object on its way: its block, its fractal, its place in the world.
 struct Placed {
@@ -302,8 +243,7 @@ class Compiler {
             if (!added) found->second = std::min(found->second, share);
         }
         for (const auto& [fractal, share] : thickness) {
-            lift_singular_maps(*fractal, std::clamp(share, least_lift, most_lift));
-            fractal->bounds = bound(fractal->rifs, fractal->contraction);
+            lift_again(*fractal, share);
         }
     }
 

@@ -1,0 +1,67 @@
+#include "host/render/lifted_fractal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "host/fractal/lipschitz.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr double vanishing = 1e-12;  // of the largest singular value, as classify() has it
+constexpr double least_lift = 1e-6;  // thinner would cost a float its digits
+constexpr double most_lift = 1e-2;   // coarser pixels do not make flat images thicker
+
+void lift_singular_maps(Fractal& fractal, double thickness) {
+    for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
+        if (classify(fractal.exact.maps[i]) != MapKind::singular) continue;
+        fractal.rifs.maps[i] = lift(fractal.exact.maps[i], thickness);
+        fractal.lifted = true;
+    }
+}
+
+}  // namespace
+
+std::optional<Fractal> make_fractal(const IfsBlock& block, Diagnostics& diagnostics) {
+    auto proven = prove_rifs(block, diagnostics);
+    if (!proven) return std::nullopt;
+    Fractal fractal;
+    fractal.rifs = proven->rifs;
+    fractal.exact = std::move(proven->rifs);
+    fractal.contraction = proven->contraction;
+    lift_singular_maps(fractal, first_lift);
+    return fractal;
+}
+
+void lift_again(Fractal& fractal, double share) {
+    lift_singular_maps(fractal, std::clamp(share, least_lift, most_lift));
+    fractal.bounds = bound(fractal.rifs, fractal.contraction);
+}
+
+std::vector<glm::dvec3> lost_axes(const Affine& map) {
+    std::vector<glm::dvec3> axes;
+    if (classify(map) != MapKind::singular) return axes;
+    const SingularValues values = singular_values(map.linear);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (values.values[axis] <= vanishing * values.values[0]) axes.push_back(values.input[axis]);
+    }
+    return axes;
+}
+
+double squashed_extent(const Fractal& fractal) {
+    double smallest = INFINITY;
+    for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
+        const Bounds& inside = fractal.bounds[static_cast<std::size_t>(fractal.rifs.follow_of[i])];
+        const glm::dvec3 size = inside.box.high - inside.box.low;
+        for (const glm::dvec3& axis : lost_axes(fractal.exact.maps[i])) {
+            const double extent = glm::dot(glm::abs(axis), size);
+            if (extent > 1e-6 * inside.ball.radius) smallest = std::min(smallest, extent);
+        }
+    }
+    return smallest;
+}
+
+}  // namespace pxm::host
