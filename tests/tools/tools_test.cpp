@@ -29,7 +29,8 @@ struct Outcome {
 class Tools : public testing::Test {
   protected:
     Tools() {
-        std::string pattern = (fs::temp_directory_path() / "pxm_tools_XXXXXX").string();
+        std::string pattern =
+            (fs::temp_directory_path() / ("pxm_tools_" + std::string(6, 'X'))).string();
         root_ = mkdtemp(pattern.data());
         fs::copy(fs::path(source_dir) / "tools", root_ / "tools");
         for (const char* folder : {"cmake", "pxm", "dsp_kernels", "host"})
