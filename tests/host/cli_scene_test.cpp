@@ -48,7 +48,7 @@ TEST_F(BadScene, a_file_that_is_no_scene_is_code_3) {
         "\x7f"
         "ELF\x02\x01\x01",
         7);
-    for (int i = 0; i < 100'000; ++i) bytes += static_cast<char>(i * i % 251);
+    for (unsigned i = 0; i < 100'000; ++i) bytes += static_cast<char>(i * i % 251);
     refuse_naming(bytes, {"error: byte 0x00: this is not a text file"});
     refuse_naming("\xff\xfe\x80\x81", {"1:1: error: expected a block, found byte 0xFF"});
 }

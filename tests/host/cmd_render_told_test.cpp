@@ -132,7 +132,9 @@ TEST_F(Told, cycles_of_the_pixels_add_up_to_those_of_the_nodes) {
         const auto node = static_cast<std::size_t>(a.at(i, a.channel("node")));
         cycles.at(node) += a.at(i, a.channel("cycles"));
     }
-    for (const Json& node : Json::parse(folder.read("s.json"))["nodes"]) {
+    const Json s = Json::parse(folder.read("s.json"));
+    ASSERT_EQ(s["nodes"].size(), 64U);
+    for (const Json& node : s["nodes"]) {
         EXPECT_EQ(node["cycles"], cycles[node["id"].get<std::size_t>()]) << node["id"];
     }
 }
