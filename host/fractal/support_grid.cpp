@@ -37,8 +37,10 @@ DirectionGrid::Place DirectionGrid::locate(const glm::dvec3& u) const {
     const int sign_z = u.z < 0 ? -1 : 1;
     const double a = std::abs(u.x) * scale;
     const double b = std::abs(u.y) * scale;
-    const int i = std::min(static_cast<int>(a), steps_ - 1);
-    const int j = std::min(static_cast<int>(b), steps_ - 1 - i);
+    // Also for a direction that is not finite, of a system that double cannot hold.
+    const auto at_most = [](double x, int most) { return x < most ? static_cast<int>(x) : most; };
+    const int i = at_most(a, steps_ - 1);
+    const int j = at_most(b, steps_ - 1 - i);
     const auto corner = [&](int x, int y) {
         const bool on_rim = x + y == steps_;  // z = 0: stored in the upper half only
         return index(sign_x * x, sign_y * y, on_rim ? 1 : sign_z);
