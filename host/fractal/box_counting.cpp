@@ -100,7 +100,7 @@ long occupied(const Points& points, const glm::dvec3& origin, double side) {
                        static_cast<std::uint64_t>(place.z));
     }
     std::ranges::sort(keys);
-    return std::ranges::unique(keys).begin() - keys.begin();
+    return std::unique(keys.begin(), keys.end()) - keys.begin();
 }
 
 /// The smaller of two grids' counts: the dimension is defined by the smallest cover.

@@ -45,14 +45,14 @@ void add_condensation(const Rifs& rifs, GraphFacts& facts) {
     for (std::size_t s = 0; s < leads_to.size(); ++s) {
         for (const int m : rifs.follow_sets[s].maps) leads_to[s].push_back(component[m]);
         std::ranges::sort(leads_to[s]);
-        leads_to[s].erase(std::ranges::unique(leads_to[s]).begin(), leads_to[s].end());
+        leads_to[s].erase(std::unique(leads_to[s].begin(), leads_to[s].end()), leads_to[s].end());
     }
     std::vector<std::pair<int, int>> seen;  // component and follow set
     for (std::size_t m = 0; m < rifs.maps.size(); ++m) {
         seen.emplace_back(component[m], rifs.follow_of[m]);
     }
     std::ranges::sort(seen);
-    seen.erase(std::ranges::unique(seen).begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
     for (const auto& [from, set] : seen) {
         for (const int to : leads_to[set]) {
             if (to == from) facts.recurrent[from] = 1;
@@ -61,7 +61,7 @@ void add_condensation(const Rifs& rifs, GraphFacts& facts) {
     }
     const auto order = [](const ComponentEdge& e) { return std::pair(e.from, e.to); };
     std::ranges::sort(facts.condensation, {}, order);
-    facts.condensation.erase(std::ranges::unique(facts.condensation).begin(),
+    facts.condensation.erase(std::unique(facts.condensation.begin(), facts.condensation.end()),
                              facts.condensation.end());
 }
 
