@@ -1,12 +1,11 @@
 #include "host/inspect/inspection.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "host/fractal/inner_points.hpp"
+#include "host/fractal/proven_rifs.hpp"
 #include "host/fractal/rifs.hpp"
 #include "host/render/volumes.hpp"
 
@@ -89,19 +88,11 @@ ObjectFacts inspect_object(const ObjectBlock& object, const Scene& scene,
 }  // namespace
 
 std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnostics) {
+    auto proven = prove_rifs(block, diagnostics);
+    if (!proven) return std::nullopt;
     IfsFacts facts;
-    Diagnostics own;
-    facts.rifs = build_rifs(block, own);
-    const bool broken = own.has_errors();
-    diagnostics.append(own);
-    if (broken) return std::nullopt;
-    facts.contraction = prove_contraction(facts.rifs);
-    if (facts.contraction.proof == ContractionProof::none) {
-        diagnostics.error(block.position,
-                          fmt::format("ifs \"{}\" could not be shown to contract: {}", block.name,
-                                      facts.contraction.obstacle));
-        return std::nullopt;
-    }
+    facts.rifs = std::move(proven->rifs);
+    facts.contraction = proven->contraction;
     for (const Affine& map : facts.rifs.maps) facts.maps.push_back(facts_of(map));
     facts.graph = graph_facts(facts.rifs);
     const Rifs part = reachable_part(facts.rifs);

@@ -26,7 +26,8 @@ std::string text_of(std::FILE* file) {
 }
 
 Folder::Folder() {
-    std::string pattern = (fs::temp_directory_path() / "pxm-test-XXXXXX").string();
+    std::string pattern = (fs::temp_directory_path() / "pxm-test-").string();
+    pattern.append(6, 'X');  // mkdtemp replaces them
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
     path_ = pattern;
 }

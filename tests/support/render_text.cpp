@@ -1,28 +1,16 @@
 #include "tests/support/render_text.hpp"
 
-#include <unistd.h>
-
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+
+#include "tests/support/folder.hpp"
 
 namespace pxm::test {
 
 host::RenderResult render_text(const std::string& text, host::RenderRequest request) {
-    std::string path = (std::filesystem::temp_directory_path() / "pxm-scene-XXXXXX").string();
-    const int file = mkstemp(path.data());
-    if (file < 0) throw std::runtime_error("no temporary file");
-    close(file);
-    std::ofstream(path) << text;
-    request.scene_path = path;
-    try {
-        host::RenderResult result = host::render(request, {});
-        std::filesystem::remove(path);
-        return result;
-    } catch (...) {
-        std::filesystem::remove(path);
-        throw;
-    }
+    const Folder folder;
+    folder.write("scene.pxm", text);
+    request.scene_path = folder.path("scene.pxm");
+    return host::render(request, {});
 }
 
 host::RenderRequest on_machine(const char* model, long columns, long rows) {

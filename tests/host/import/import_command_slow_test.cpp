@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/folder.hpp"
 #include "tests/support/paths.hpp"
 
 namespace pxm::host {
@@ -17,15 +18,6 @@ namespace fs = std::filesystem;
 /// A folder of its own for each test.
 class ImportCommand : public testing::Test {
   protected:
-    ImportCommand() {
-        std::string pattern = (fs::temp_directory_path() / "pxm-import-XXXXXX").string();
-        folder_ = mkdtemp(pattern.data());
-    }
-    ~ImportCommand() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-
     /// The exit code; what was printed is in the files out and err.
     int run(const std::string& arguments) const {
         const std::string command = "cd " + folder_.string() + " && '" + pxm::test::binary + "' " +
@@ -41,7 +33,8 @@ class ImportCommand : public testing::Test {
         return all.str();
     }
 
-    fs::path folder_;
+    test::Folder own_;
+    fs::path folder_ = own_.path();
 };
 
 constexpr const char* two_entries = "a { .5 0 0 .5 0 0 1 } b { .5 0 0 .5 0 1 1 .5 0 0 .5 1 0 1 }";

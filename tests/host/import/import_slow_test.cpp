@@ -5,19 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <span>
 
 #include "host/import/moment_search.hpp"
 #include "host/import/picture.hpp"
 #include "host/render/render.hpp"
 #include "tests/support/paths.hpp"
+#include "tests/support/render_text.hpp"
 
 namespace pxm::host {
 namespace {
-
-namespace fs = std::filesystem;
 
 const std::string data = pxm::test::source_dir + "/tests/data/import/";
 
@@ -25,15 +22,9 @@ Frame rendered(const std::string& file, const std::string& entry, long columns, 
     ImportRequest request;
     request.path = data + file;
     request.entry = entry;
-    std::string pattern = (fs::temp_directory_path() / "pxm-import-XXXXXX").string();
-    const fs::path folder = mkdtemp(pattern.data());
     RenderRequest render_request;
-    render_request.scene_path = (folder / "scene.pxm").string();
-    std::ofstream(render_request.scene_path) << import_file(request).text;
     render_request.overrides.size = PixelSize{columns, rows};
-    Frame frame = render(render_request, {}).frame;
-    fs::remove_all(folder);
-    return frame;
+    return test::render_text(import_file(request).text, render_request).frame;
 }
 
 LoadedImage image_of(const Frame& frame) {
