@@ -22,7 +22,8 @@ th:first-child, td:first-child { text-align: left; }
 .wide { overflow-x: auto; }
 svg { max-width: 760px; width: 100%; height: auto; font: 12px Georgia, serif; display: block; }
 .row { display: flex; flex-wrap: wrap; gap: 1.5em; align-items: flex-start; }
-.row > figure { flex: 1 1 300px; max-width: 460px; margin: 0; }
+.row > figure { flex: 1 1 205px; max-width: 460px; margin: 0; }
+figure { margin: 1em 0; }
 figure img { width: 100%; image-rendering: pixelated; border: 1px solid #ccd; display: block; }
 figcaption { font-size: 13px; }
 .title { font-size: 14px; font-weight: 600; }

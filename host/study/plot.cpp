@@ -12,7 +12,7 @@ namespace {
 
 constexpr double width = 720;  // of a plot, SVG units
 constexpr double height = 340;
-constexpr double left = 70;
+constexpr double left = 92;
 constexpr double right = 150;  // the legend's
 constexpr double top = 34;
 constexpr double bottom = 48;

@@ -33,10 +33,12 @@ StudyPlan plan_of(const StudyRequest& request) {
 
 void make_folder(const std::string& path) {
     std::error_code error;
+    if (std::filesystem::exists(path) && !std::filesystem::is_directory(path))
+        throw Error(ExitCode::file, fmt::format("cannot make the folder {}: it is a file", path));
     std::filesystem::create_directories(path, error);
-    if (error || !std::filesystem::is_directory(path)) {
-        throw Error(ExitCode::file, fmt::format("cannot make the folder {}: {}", path,
-                                                error ? error.message() : "it is a file"));
+    if (error) {
+        throw Error(ExitCode::file,
+                    fmt::format("cannot make the folder {}: {}", path, error.message()));
     }
     require_writable(path + "/data.json");
 }
