@@ -11,96 +11,137 @@ const std::string_view module_table_compiler = "g++ 12.2.0 x86-64";
 const std::vector<MeasuredModule> module_table{
     // name, program, read-only data, other data; bytes
     {"box", 811, 36, 0},
-    {"camera", 268, 4, 0},
-    {"descend", 1055, 4, 0},
+    {"camera", 294, 0, 0},
+    {"covers", 4198, 28, 0},
+    {"descend", 1144, 4, 0},
     {"flatness", 959, 24, 0},
     {"heap", 998, 0, 0},
-    {"illuminate", 352, 0, 0},
-    {"intersect", 678, 4, 0},
-    {"next_after", 1112, 4, 0},
+    {"illuminate", 20, 0, 0},
+    {"intersect", 776, 0, 0},
+    {"mirror", 221, 16, 0},
+    {"next_after", 1244, 4, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 904, 12, 0},
-    {"point_light", 51, 0, 0},
+    {"pixel_program", 130, 0, 0},
+    {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
-    {"shade", 1442, 4, 0},
+    {"shade", 1759, 20, 0},
+    {"shadow", 83, 0, 0},
+    {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
-    {"vectors", 1302, 20, 0},
+    {"trace", 1618, 12, 0},
+    {"trace_all", 2796, 20, 0},
+    {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {60, 3}},  // 0
+    {"box", "box_normal", 176, {94, 3}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {60, 1}},  // 2
+    {"box", "intersect_box", 112, {94, 1}},  // 2
     {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {57, 60, 41, 40}},  // 4
-    {"descend", "child_cell", 144, {58, 61, 16}},  // 5
-    {"descend", "cell_diameter", 32, {49}},  // 6
-    {"descend", "outermost_cell", 176, {58, 59, 61, 12}},  // 7
-    {"descend", "intersect_volume", 8, {2, 56}},  // 8
-    {"descend", "meet", 48, {8, 11}},  // 9
-    {"descend", "ending", 48, {6, 14}},  // 10
-    {"descend", "approach", 80, {60, 67}},  // 11
-    {"descend", "is_polar", 8, {}},  // 12
-    {"descend", "map_from", 8, {}},  // 13
-    {"descend", "pixel_at", 8, {}},  // 14
-    {"flatness", "undo_squash", 80, {57, 65, 69}},  // 15
-    {"flatness", "keep_thickness", 208, {59, 60, 15, 64, 65, 12, 14, 70}},  // 16
-    {"heap", "cell_words", 8, {}},  // 17
-    {"heap", "Heap::pop", 16, {21, 23, 25}},  // 18
-    {"heap", "Heap::keep", 8, {28}},  // 19
-    {"heap", "Heap::push", 80, {19, 22, 24, 27, 28}},  // 20
-    {"heap", "Heap::swap", 8, {}},  // 21
-    {"heap", "Heap::entry", 8, {}},  // 22
-    {"heap", "Heap::fetch", 8, {28}},  // 23
-    {"heap", "Heap::sift_up", 48, {21, 22, 27}},  // 24
-    {"heap", "Heap::sift_down", 80, {21, 22, 27}},  // 25
-    {"heap", "Heap::Heap", 8, {}},  // 26
-    {"heap", "before", 8, {}},  // 27
-    {"heap", "copy_cell", 32, {17}},  // 28
-    {"heap", "move_cell", 8, {28}},  // 29
-    {"illuminate", "illuminate", 128, {57, 60, 46, 65}},  // 30
-    {"intersect", "push_objects", 384, {7, 33, 20, 9}},  // 31
-    {"intersect", "push_children", 416, {5, 48, 33, 20, 9, 12}},  // 32
-    {"intersect", "Cell::Cell", 8, {}},  // 33
-    {"intersect", "intersect", 64, {35, 31, 32, 33, 18, 10}},  // 34
-    {"next_after", "next_after", 448, {7, 36, 23, 9, 27, 10, 37, 38, 13, 29, 39}},  // 35
-    {"next_after", "Cell::Cell", 8, {}},  // 36
-    {"next_after", "CellPath::make_again", 688, {5, 48, 36, 23, 9, 12, 13, 29, 39}},  // 37
-    {"next_after", "CellPath::down", 368, {5, 48, 36, 19, 9, 12, 29}},  // 38
-    {"next_after", "CellWord::get", 8, {}},  // 39
-    {"orthographic", "orthographic_ray", 32, {57, 60}},  // 40
-    {"perspective", "perspective_ray", 16, {70}},  // 41
-    {"pixel_program", "PixelStore::byte", 8, {}},  // 42
-    {"pixel_program", "render_pixel", 448, {57, 30, 50, 4, 34}},  // 43
-    {"pixel_program", "pixel_program", 896, {42, 43, 45, 26}},  // 44
-    {"pixel_program", "read_frame_constants", 16, {60}},  // 45
-    {"point_light", "direction_to_point_light", 80, {69, 70}},  // 46
-    {"polar", "jacobi_rotate", 8, {}},  // 47
-    {"polar", "complete_child", 144, {59, 68}},  // 48
-    {"polar", "largest_singular_value", 128, {47, 65, 66}},  // 49
-    {"shade", "surface_at", 928, {57, 5, 51, 52, 59, 60, 6, 48, 7, 8, 65, 54, 66, 68, 11, 12, 13, 29, 70}},  // 50
-    {"shade", "TotalNormal::add", 48, {57}},  // 51
-    {"shade", "cell_normal", 96, {53, 63, 70}},  // 52
-    {"shade", "volume_normal", 8, {0, 55}},  // 53
-    {"shade", "Cell::Cell", 8, {}},  // 54
-    {"sphere", "sphere_normal", 96, {57, 60, 69}},  // 55
-    {"sphere", "intersect_sphere", 112, {60, 65, 69}},  // 56
-    {"vectors", "add_scaled", 8, {}},  // 57
-    {"vectors", "read_affine", 96, {59, 60}},  // 58
-    {"vectors", "read_linear", 32, {60}},  // 59
-    {"vectors", "read_vector", 8, {}},  // 60
-    {"vectors", "transform_ray", 48, {62, 64}},  // 61
-    {"vectors", "transform_point", 8, {}},  // 62
-    {"vectors", "transform_normal", 64, {65}},  // 63
-    {"vectors", "transform_direction", 8, {}},  // 64
-    {"vectors", "dot", 8, {}},  // 65
-    {"vectors", "scale", 8, {}},  // 66
-    {"vectors", "rebase", 80, {57, 65, 69}},  // 67
-    {"vectors", "compose", 48, {64}},  // 68
-    {"vectors", "subtract", 8, {}},  // 69
-    {"vectors", "normalize", 64, {65, 66}},  // 70
+    {"camera", "eye_ray", 96, {91, 94, 60, 59}},  // 4
+    {"covers", "next_after", 432, {13, 42, 25, 55, 56, 57, 28, 44, 17}},  // 5
+    {"covers", "covers_along", 768, {46, 5, 13, 44, 14, 18}},  // 6
+    {"covers", "covers_along", 768, {46, 5, 13, 44, 15, 19}},  // 7
+    {"covers", "volume_gauge", 96, {94, 99, 104}},  // 8
+    {"covers", "MissedChildren::shown", 8, {}},  // 9
+    {"covers", "MissedChildren::missed", 48, {8, 21, 67, 27}},  // 10
+    {"covers", "shrunk_for_covers", 96, {91, 94, 100, 29, 104}},  // 11
+    {"covers", "push_children_and_cover", 480, {20, 9, 10, 67, 13, 35, 24, 27}},  // 12
+    {"covers", "Cell::Cell", 8, {}},  // 13
+    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 16, 18}},  // 14
+    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 19}},  // 15
+    {"covers", "CollectCovers::operator", 32, {44}},  // 16
+    {"covers", "CoverRule::operator", 464, {20, 21, 9, 10, 13, 24, 29}},  // 17
+    {"covers", "CoverWalk::tell", 32, {42, 16}},  // 18
+    {"covers", "CoverWalk::tell", 32, {42}},  // 19
+    {"descend", "child_cell", 144, {92, 95, 31}},  // 20
+    {"descend", "cell_diameter", 32, {68}},  // 21
+    {"descend", "outermost_cell", 176, {92, 93, 95, 27}},  // 22
+    {"descend", "intersect_volume", 8, {2, 81}},  // 23
+    {"descend", "meet", 112, {23, 11, 26}},  // 24
+    {"descend", "ending", 48, {21, 29}},  // 25
+    {"descend", "approach", 80, {94, 101}},  // 26
+    {"descend", "is_polar", 8, {}},  // 27
+    {"descend", "map_from", 8, {}},  // 28
+    {"descend", "pixel_at", 8, {}},  // 29
+    {"flatness", "undo_squash", 80, {91, 99, 104}},  // 30
+    {"flatness", "keep_thickness", 208, {93, 94, 30, 98, 99, 27, 29, 105}},  // 31
+    {"heap", "cell_words", 8, {}},  // 32
+    {"heap", "Heap::pop", 16, {36, 38, 40}},  // 33
+    {"heap", "Heap::keep", 8, {43}},  // 34
+    {"heap", "Heap::push", 80, {34, 37, 39, 42, 43}},  // 35
+    {"heap", "Heap::swap", 8, {}},  // 36
+    {"heap", "Heap::entry", 8, {}},  // 37
+    {"heap", "Heap::fetch", 8, {43}},  // 38
+    {"heap", "Heap::sift_up", 48, {36, 37, 42}},  // 39
+    {"heap", "Heap::sift_down", 80, {36, 37, 42}},  // 40
+    {"heap", "Heap::Heap", 8, {}},  // 41
+    {"heap", "before", 8, {}},  // 42
+    {"heap", "copy_cell", 32, {32}},  // 43
+    {"heap", "move_cell", 8, {43}},  // 44
+    {"illuminate", "facing", 16, {99}},  // 45
+    {"intersect", "count_heap", 8, {}},  // 46
+    {"intersect", "push_objects", 384, {22, 49, 35, 24}},  // 47
+    {"intersect", "push_children", 416, {20, 67, 49, 35, 24, 27}},  // 48
+    {"intersect", "Cell::Cell", 8, {}},  // 49
+    {"intersect", "intersect", 112, {46, 52, 47, 48, 49, 33, 25}},  // 50
+    {"mirror", "mirrored", 112, {91, 99, 105}},  // 51
+    {"next_after", "next_after", 432, {53, 42, 25, 55, 56, 57, 28, 44}},  // 52
+    {"next_after", "Cell::Cell", 8, {}},  // 53
+    {"next_after", "CellPath::make_again", 688, {20, 67, 53, 38, 24, 27, 28, 44, 58}},  // 54
+    {"next_after", "CellPath::up", 48, {38, 54, 58}},  // 55
+    {"next_after", "CellPath::down", 368, {20, 67, 53, 34, 24, 27, 44}},  // 56
+    {"next_after", "CellPath::start", 32, {22, 24}},  // 57
+    {"next_after", "CellWord::get", 8, {}},  // 58
+    {"orthographic", "orthographic_ray", 32, {91, 94}},  // 59
+    {"perspective", "perspective_ray", 16, {105}},  // 60
+    {"pixel_program", "read_frame_constants", 32, {94}},  // 61
+    {"point_light", "facing_point_light", 944, {20, 70, 93, 94, 67, 22, 23, 72, 63, 64, 74, 100, 45, 102, 26, 27, 28, 44, 65}},  // 62
+    {"point_light", "direction_to_point_light", 80, {104, 105}},  // 63
+    {"point_light", "Cell::Cell", 8, {}},  // 64
+    {"point_light", "AddPointLight::operator", 96, {21, 63, 45, 75, 103}},  // 65
+    {"polar", "jacobi_rotate", 8, {}},  // 66
+    {"polar", "complete_child", 144, {93, 102}},  // 67
+    {"polar", "largest_singular_value", 128, {66, 99, 100}},  // 68
+    {"shade", "surface_at", 112, {72, 74, 105, 76}},  // 69
+    {"shade", "cell_normal", 96, {71, 97, 105}},  // 70
+    {"shade", "volume_normal", 8, {0, 80}},  // 71
+    {"shade", "outermost_diameter", 352, {21, 22, 73}},  // 72
+    {"shade", "Cell::Cell", 8, {}},  // 73
+    {"shade", "blend", 112, {91, 94, 100}},  // 74
+    {"shade", "PathSum::add", 48, {91}},  // 75
+    {"shade", "walk_path", 896, {20, 70, 93, 94, 67, 22, 23, 73, 74, 102, 26, 27, 28, 44, 77}},  // 76
+    {"shade", "AddNormal::operator", 48, {21, 75}},  // 77
+    {"shadow", "search_to_light", 8, {}},  // 78
+    {"shadow_point", "search_from_light", 80, {99, 104, 105}},  // 79
+    {"sphere", "sphere_normal", 96, {91, 94, 104}},  // 80
+    {"sphere", "intersect_sphere", 112, {94, 99, 104}},  // 81
+    {"trace", "PixelStore::byte", 8, {}},  // 82
+    {"trace", "render_pixel", 736, {91, 69, 94, 62, 45, 4, 29, 103, 50, 44}},  // 83
+    {"trace", "pixel_program", 960, {82, 83, 61, 41}},  // 84
+    {"trace_all", "PixelStore::byte", 8, {}},  // 85
+    {"trace_all", "Tracer::shade (part)", 240, {91, 94, 7, 78, 79, 62, 45}},  // 86
+    {"trace_all", "render_pixel", 3472, {91, 89, 90, 4}},  // 87
+    {"trace_all", "pixel_program", 960, {85, 87, 61, 89, 41}},  // 88
+    {"trace_all", "Cell::Cell", 8, {}},  // 89
+    {"trace_all", "Tracer::look_through_covers", 656, {91, 86, 69, 6, 89, 51, 29, 103, 44}},  // 90
+    {"vectors", "add_scaled", 8, {}},  // 91
+    {"vectors", "read_affine", 96, {93, 94}},  // 92
+    {"vectors", "read_linear", 32, {94}},  // 93
+    {"vectors", "read_vector", 8, {}},  // 94
+    {"vectors", "transform_ray", 48, {96, 98}},  // 95
+    {"vectors", "transform_point", 8, {}},  // 96
+    {"vectors", "transform_normal", 64, {99}},  // 97
+    {"vectors", "transform_direction", 8, {}},  // 98
+    {"vectors", "dot", 8, {}},  // 99
+    {"vectors", "scale", 8, {}},  // 100
+    {"vectors", "rebase", 80, {91, 99, 104}},  // 101
+    {"vectors", "compose", 48, {98}},  // 102
+    {"vectors", "point_at", 8, {91}},  // 103
+    {"vectors", "subtract", 8, {}},  // 104
+    {"vectors", "normalize", 64, {99, 100}},  // 105
 };
 // clang-format on
 
