@@ -14,10 +14,6 @@ void unsupported(const Position& position, const std::string& what, Diagnostics&
 
 void check_object(const ObjectBlock& object, Diagnostics& diagnostics) {
     const std::string name = block_name("object", object.name);
-    if (!object.ifs)
-        unsupported(object.position, name + ": an object without an 'ifs'", diagnostics);
-    if (object.volume && std::holds_alternative<HullVolume>(*object.volume))
-        unsupported(object.volume_position, name + ": 'hull'", diagnostics);
     if (object.opacity && *object.opacity < 1)
         unsupported(object.opacity_position, name + ": 'opacity' below 1", diagnostics);
     if (object.reflect && *object.reflect > 0)
@@ -34,10 +30,6 @@ void check_render(const RenderBlock& render, Diagnostics& diagnostics) {
             render.intersect_position,
             fmt::format("render: 'intersect: {}'", word_of(intersect_words, *render.intersect)),
             diagnostics);
-    if (render.volume == VolumeKind::oriented || render.volume == VolumeKind::hull)
-        unsupported(render.volume_position,
-                    fmt::format("render: 'volume: {}'", word_of(volume_words, *render.volume)),
-                    diagnostics);
 }
 
 }  // namespace
