@@ -4,6 +4,7 @@
 
 #include "dsp_kernels/camera.hpp"
 #include "dsp_kernels/intersect.hpp"
+#include "dsp_kernels/plane.hpp"
 #include "dsp_kernels/shade.hpp"
 
 namespace pxm::kernels {
@@ -13,7 +14,8 @@ template <class Real>
 struct PixelResult {
     Vec3<Real> color{};
     SearchResult<Real> found;
-    Vec3<Real> normal{};  // the total normal, unless the ray missed
+    PlaneHit<Real> floor;  // a plane in front of what was found, if there is one
+    Vec3<Real> normal{};   // the total normal, unless the ray missed
     SearchCounts counts;
 };
 
@@ -47,9 +49,20 @@ void render_pixel(Node& node, FrameConstants<Real>& frame, Heap<Node>& heap, std
     result.found = intersect(node, frame.search, heap, result.counts);
     result.normal = {};
     result.color = frame.background;
-    if (result.found.outcome == Outcome::miss) return;
-    const Surface<Real> surface = surface_at(node, frame.search, result.found.cell, frame.shading);
     const Ray<Real>& ray = frame.search.ray;
+    const bool hit = result.found.outcome != Outcome::miss;
+    const Real end = hit ? result.found.cell.key : from_double<Real>(1e30);
+    result.floor = {};
+    if (nearest_plane(node, ray, Real(0), end, result.floor)) {
+        const Real t = result.floor.t;
+        const Real p = pixel_size(node, frame.search.pixel, t, Real(0));
+        const Surface<Real> surface = plane_surface(node, ray, p, result.floor);
+        result.normal = surface.normal;
+        result.color = illuminate(node, surface, add_scaled(node, ray.origin, t, ray.direction));
+        return;
+    }
+    if (!hit) return;
+    const Surface<Real> surface = surface_at(node, frame.search, result.found.cell, frame.shading);
     const Vec3<Real> point = add_scaled(node, ray.origin, result.found.cell.key, ray.direction);
     result.normal = surface.normal;
     result.color = illuminate(node, surface, point);

@@ -31,8 +31,8 @@ inline constexpr std::uint32_t unlimited_levels = 0xFFFF'FFFF;
 
 /// At address 0. Pixel (x, y) looks through corner + (x + 1/2) across + (y + 1/2) down.
 template <std::uint32_t R>
-struct HeaderRecord : Record<R, 16, 28> {
-    using Base = Record<R, 16, 28>;
+struct HeaderRecord : Record<R, 18, 28> {
+    using Base = Record<R, 18, 28>;
     // integers
     static constexpr std::uint32_t width = Base::integer(0);
     static constexpr std::uint32_t height = Base::integer(1);
@@ -44,6 +44,8 @@ struct HeaderRecord : Record<R, 16, 28> {
     static constexpr std::uint32_t shading = Base::integer(10);
     static constexpr std::uint32_t projection = Base::integer(11);
     static constexpr std::uint32_t cell_cap = Base::integer(12);
+    static constexpr std::uint32_t plane_count = Base::integer(16);
+    static constexpr std::uint32_t planes = Base::integer(17);  // address of the first record
     // numbers
     static constexpr std::uint32_t eye = Base::real(0);
     static constexpr std::uint32_t corner = Base::real(3);

@@ -19,8 +19,7 @@ constexpr std::int64_t word_bytes = 4;
 /// The scene without what check_supported() refuses.
 Scene supported_part(const Scene& scene) {
     Scene part = scene;
-    part.planes.clear();
-    part.textures.clear();
+    for (PlaneBlock& plane : part.planes) plane.reflect.reset();
     std::erase_if(part.objects, [](const ObjectBlock& object) { return !object.ifs; });
     for (ObjectBlock& object : part.objects) {
         if (object.volume && std::holds_alternative<HullVolume>(*object.volume)) {
@@ -46,7 +45,8 @@ MachineStatistics memory_of(const CompiledScene& scene, const Model& model) {
                                               static_cast<int>(scene.size.rows))};
     memory.back_buffer = {bank_bytes, word_bytes * block};
     memory.zbuffer = {zbuffer_part_bytes, entry * scene.heap};
-    memory.texture = {texture_part_bytes, 0};
+    memory.texture = {texture_part_bytes,
+                      word_bytes * static_cast<std::int64_t>(scene.texture_words.size())};
     return memory;
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "host/fractal/lipschitz.hpp"
+#include "host/render/compile_floor.hpp"
 #include "host/render/lifted_fractal.hpp"
 #include "host/render/view.hpp"
 #include "host/render/volumes.hpp"
@@ -178,6 +179,7 @@ class Compiler {
         if (diagnostics_.has_errors()) return {};
         lift_to_pixels(objects);
         for (const Placed& object : objects) add_object(object);
+        compile_floor(scene_, view_, fractals_, out_, diagnostics_);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
         out_.detail = render_.detail.value_or(out_.detail);

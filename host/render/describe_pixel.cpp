@@ -68,10 +68,16 @@ std::string word_text(const CompiledScene& scene, const std::vector<std::uint32_
     return text;
 }
 
+/// Its name, or its number from 1.
+std::string plane_name(const CompiledScene& scene, std::uint32_t plane) {
+    const std::string& name = scene.planes[plane].name;
+    return name.empty() ? fmt::format("{}", plane + 1) : name;
+}
+
 template <class Real>
 std::string describe(const CompiledScene& scene, long x, long y) {
     const std::vector<std::uint32_t> block = make_scene_block<Real>(scene);
-    WatchedNode<Real> node(block, scene.heap, sizeof(kernels::Cell<Real>));
+    WatchedNode<Real> node(block, scene.texture_words, scene.heap, sizeof(kernels::Cell<Real>));
     kernels::Heap<WatchedNode<Real>> heap(node);
     auto frame = kernels::read_frame_constants(node);
     kernels::PixelResult<Real> result;
@@ -102,6 +108,11 @@ std::string describe(const CompiledScene& scene, long x, long y) {
                    sized ? world(kernels::pixel_at(node, frame.search, cell.object, cell.key)) : 0,
                    6),
             word_text(scene, block, cell));
+    }
+    if (result.floor.plane != 0) {
+        const std::uint32_t plane = plane_index<Real>(block, result.floor.plane);
+        text += fmt::format("plane {} at {:.9g} is in front\n", plane_name(scene, plane),
+                            world(result.floor.t));
     }
     const char* end = result.found.outcome == kernels::Outcome::miss  ? "a miss"
                       : result.found.outcome == kernels::Outcome::hit ? "a terminal cell"

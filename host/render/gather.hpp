@@ -34,8 +34,18 @@ void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& 
     pixel.color[2] = number(result.color.z);
     pixel.volumes = static_cast<std::uint32_t>(result.counts.volumes_tested);
     pixel.heap = static_cast<std::uint32_t>(result.counts.heap_peak);
-    const bool hit = result.found.outcome != kernels::Outcome::miss;
-    if (hit) {
+    const bool plane = result.floor.plane != 0;
+    const bool hit = plane || result.found.outcome != kernels::Outcome::miss;
+    if (plane) {
+        pixel.alpha = 1;
+        pixel.z = static_cast<float>(to_double(result.floor.t) * scene.unit);
+        pixel.normal[0] = number(result.normal.x);
+        pixel.normal[1] = number(result.normal.y);
+        pixel.normal[2] = number(result.normal.z);
+        pixel.object = static_cast<std::int32_t>(scene.objects.size() +
+                                                 plane_index<Real>(block, result.floor.plane));
+        pixel.level = 0;
+    } else if (hit) {
         const kernels::Cell<Real>& cell = result.found.cell;
         pixel.alpha = 1;
         pixel.z = static_cast<float>(to_double(cell.key) * scene.unit);

@@ -20,33 +20,38 @@ const std::vector<MeasuredModule> module_table{
     {"next_after", 1112, 4, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 904, 12, 0},
+    {"pixel_program", 1097, 16, 0},
+    {"plane", 660, 16, 0},
     {"point_light", 51, 0, 0},
     {"polar", 893, 24, 0},
     {"shade", 1442, 4, 0},
     {"sphere", 305, 0, 0},
+    {"texture", 1515, 44, 0},
+    {"texture_image", 944, 12, 0},
+    {"texture_inclusion", 1687, 28, 0},
+    {"texture_wood", 2417, 120, 0},
     {"vectors", 1302, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {60, 3}},  // 0
+    {"box", "box_normal", 176, {90, 3}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {60, 1}},  // 2
+    {"box", "intersect_box", 112, {90, 1}},  // 2
     {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {57, 60, 41, 40}},  // 4
-    {"descend", "child_cell", 144, {58, 61, 16}},  // 5
-    {"descend", "cell_diameter", 32, {49}},  // 6
-    {"descend", "outermost_cell", 176, {58, 59, 61, 12}},  // 7
-    {"descend", "intersect_volume", 8, {2, 56}},  // 8
+    {"camera", "eye_ray", 96, {87, 90, 41, 40}},  // 4
+    {"descend", "child_cell", 144, {88, 91, 16}},  // 5
+    {"descend", "cell_diameter", 32, {51}},  // 6
+    {"descend", "outermost_cell", 176, {88, 89, 91, 12}},  // 7
+    {"descend", "intersect_volume", 8, {2, 58}},  // 8
     {"descend", "meet", 48, {8, 11}},  // 9
     {"descend", "ending", 48, {6, 14}},  // 10
-    {"descend", "approach", 80, {60, 67}},  // 11
+    {"descend", "approach", 80, {90, 97}},  // 11
     {"descend", "is_polar", 8, {}},  // 12
     {"descend", "map_from", 8, {}},  // 13
     {"descend", "pixel_at", 8, {}},  // 14
-    {"flatness", "undo_squash", 80, {57, 65, 69}},  // 15
-    {"flatness", "keep_thickness", 208, {59, 60, 15, 64, 65, 12, 14, 70}},  // 16
+    {"flatness", "undo_squash", 80, {87, 95, 99}},  // 15
+    {"flatness", "keep_thickness", 208, {89, 90, 15, 94, 95, 12, 14, 100}},  // 16
     {"heap", "cell_words", 8, {}},  // 17
     {"heap", "Heap::pop", 16, {21, 23, 25}},  // 18
     {"heap", "Heap::keep", 8, {28}},  // 19
@@ -60,47 +65,77 @@ const std::vector<MeasuredFunction> function_table{
     {"heap", "before", 8, {}},  // 27
     {"heap", "copy_cell", 32, {17}},  // 28
     {"heap", "move_cell", 8, {28}},  // 29
-    {"illuminate", "illuminate", 128, {57, 60, 46, 65}},  // 30
+    {"illuminate", "illuminate", 128, {87, 90, 48, 95}},  // 30
     {"intersect", "push_objects", 384, {7, 33, 20, 9}},  // 31
-    {"intersect", "push_children", 416, {5, 48, 33, 20, 9, 12}},  // 32
+    {"intersect", "push_children", 416, {5, 50, 33, 20, 9, 12}},  // 32
     {"intersect", "Cell::Cell", 8, {}},  // 33
     {"intersect", "intersect", 64, {35, 31, 32, 33, 18, 10}},  // 34
     {"next_after", "next_after", 448, {7, 36, 23, 9, 27, 10, 37, 38, 13, 29, 39}},  // 35
     {"next_after", "Cell::Cell", 8, {}},  // 36
-    {"next_after", "CellPath::make_again", 688, {5, 48, 36, 23, 9, 12, 13, 29, 39}},  // 37
-    {"next_after", "CellPath::down", 368, {5, 48, 36, 19, 9, 12, 29}},  // 38
+    {"next_after", "CellPath::make_again", 688, {5, 50, 36, 23, 9, 12, 13, 29, 39}},  // 37
+    {"next_after", "CellPath::down", 368, {5, 50, 36, 19, 9, 12, 29}},  // 38
     {"next_after", "CellWord::get", 8, {}},  // 39
-    {"orthographic", "orthographic_ray", 32, {57, 60}},  // 40
-    {"perspective", "perspective_ray", 16, {70}},  // 41
+    {"orthographic", "orthographic_ray", 32, {87, 90}},  // 40
+    {"perspective", "perspective_ray", 16, {100}},  // 41
     {"pixel_program", "PixelStore::byte", 8, {}},  // 42
-    {"pixel_program", "render_pixel", 448, {57, 30, 50, 4, 34}},  // 43
+    {"pixel_program", "render_pixel", 448, {87, 30, 52, 46, 47, 4, 34}},  // 43
     {"pixel_program", "pixel_program", 896, {42, 43, 45, 26}},  // 44
-    {"pixel_program", "read_frame_constants", 16, {60}},  // 45
-    {"point_light", "direction_to_point_light", 80, {69, 70}},  // 46
-    {"polar", "jacobi_rotate", 8, {}},  // 47
-    {"polar", "complete_child", 144, {59, 68}},  // 48
-    {"polar", "largest_singular_value", 128, {47, 65, 66}},  // 49
-    {"shade", "surface_at", 928, {57, 5, 51, 52, 59, 60, 6, 48, 7, 8, 65, 54, 66, 68, 11, 12, 13, 29, 70}},  // 50
-    {"shade", "TotalNormal::add", 48, {57}},  // 51
-    {"shade", "cell_normal", 96, {53, 63, 70}},  // 52
-    {"shade", "volume_normal", 8, {0, 55}},  // 53
-    {"shade", "Cell::Cell", 8, {}},  // 54
-    {"sphere", "sphere_normal", 96, {57, 60, 69}},  // 55
-    {"sphere", "intersect_sphere", 112, {60, 65, 69}},  // 56
-    {"vectors", "add_scaled", 8, {}},  // 57
-    {"vectors", "read_affine", 96, {59, 60}},  // 58
-    {"vectors", "read_linear", 32, {60}},  // 59
-    {"vectors", "read_vector", 8, {}},  // 60
-    {"vectors", "transform_ray", 48, {62, 64}},  // 61
-    {"vectors", "transform_point", 8, {}},  // 62
-    {"vectors", "transform_normal", 64, {65}},  // 63
-    {"vectors", "transform_direction", 8, {}},  // 64
-    {"vectors", "dot", 8, {}},  // 65
-    {"vectors", "scale", 8, {}},  // 66
-    {"vectors", "rebase", 80, {57, 65, 69}},  // 67
-    {"vectors", "compose", 48, {64}},  // 68
-    {"vectors", "subtract", 8, {}},  // 69
-    {"vectors", "normalize", 64, {65, 66}},  // 70
+    {"pixel_program", "read_frame_constants", 16, {90}},  // 45
+    {"plane", "nearest_plane", 96, {90, 95}},  // 46
+    {"plane", "plane_surface", 144, {87, 60, 90, 95, 63}},  // 47
+    {"point_light", "direction_to_point_light", 80, {99, 100}},  // 48
+    {"polar", "jacobi_rotate", 8, {}},  // 49
+    {"polar", "complete_child", 144, {89, 98}},  // 50
+    {"polar", "largest_singular_value", 128, {49, 95, 96}},  // 51
+    {"shade", "surface_at", 928, {87, 5, 53, 54, 89, 90, 6, 50, 7, 8, 95, 56, 96, 98, 11, 12, 13, 29, 100}},  // 52
+    {"shade", "TotalNormal::add", 48, {87}},  // 53
+    {"shade", "cell_normal", 96, {55, 93, 100}},  // 54
+    {"shade", "volume_normal", 8, {0, 57}},  // 55
+    {"shade", "Cell::Cell", 8, {}},  // 56
+    {"sphere", "sphere_normal", 96, {87, 90, 99}},  // 57
+    {"sphere", "intersect_sphere", 112, {90, 95, 99}},  // 58
+    {"texture", "in_repeats", 48, {95}},  // 59
+    {"texture", "layer_color", 192, {87, 59, 90, 61, 99}},  // 60
+    {"texture", "texture_color", 48, {78, 66, 90, 70, 64}},  // 61
+    {"texture", "place_of", 8, {}},  // 62
+    {"texture", "footprint", 96, {87, 95, 96, 100}},  // 63
+    {"texture", "is_beyond (part)", 8, {}},  // 64
+    {"texture_image", "neighbours", 8, {}},  // 65
+    {"texture_image", "image_color", 128, {67, 68, 96, 62}},  // 66
+    {"texture_image", "image_level", 208, {65, 68, 69}},  // 67
+    {"texture_image", "mix", 96, {87, 99}},  // 68
+    {"texture_image", "texel", 8, {}},  // 69
+    {"texture_inclusion", "inclusion_color", 96, {87, 90, 72, 99}},  // 70
+    {"texture_inclusion", "largest_stretch", 8, {}},  // 71
+    {"texture_inclusion", "inclusion_coverage", 1552, {73, 74, 62, 75, 76}},  // 72
+    {"texture_inclusion", "outermost_point_cell", 48, {74, 76}},  // 73
+    {"texture_inclusion", "times", 8, {}},  // 74
+    {"texture_inclusion", "Inclusion::is_open", 96, {71, 74, 76}},  // 75
+    {"texture_inclusion", "read_vec2", 8, {}},  // 76
+    {"texture_wood", "pxm::floor_integer", 8, {}},  // 77
+    {"texture_wood", "wood_color", 192, {87, 90, 80, 81, 96, 62, 84, 99}},  // 78
+    {"texture_wood", "ring_darkness", 48, {77}},  // 79
+    {"texture_wood", "board_darkness", 48, {82, 83}},  // 80
+    {"texture_wood", "share_in_stripes", 48, {85}},  // 81
+    {"texture_wood", "noise", 112, {77, 86}},  // 82
+    {"texture_wood", "rings_at", 48, {79, 82}},  // 83
+    {"texture_wood", "scramble", 8, {}},  // 84
+    {"texture_wood", "share_in_stripes (part)", 32, {77}},  // 85
+    {"texture_wood", "noise (part)", 16, {84}},  // 86
+    {"vectors", "add_scaled", 8, {}},  // 87
+    {"vectors", "read_affine", 96, {89, 90}},  // 88
+    {"vectors", "read_linear", 32, {90}},  // 89
+    {"vectors", "read_vector", 8, {}},  // 90
+    {"vectors", "transform_ray", 48, {92, 94}},  // 91
+    {"vectors", "transform_point", 8, {}},  // 92
+    {"vectors", "transform_normal", 64, {95}},  // 93
+    {"vectors", "transform_direction", 8, {}},  // 94
+    {"vectors", "dot", 8, {}},  // 95
+    {"vectors", "scale", 8, {}},  // 96
+    {"vectors", "rebase", 80, {87, 95, 99}},  // 97
+    {"vectors", "compose", 48, {94}},  // 98
+    {"vectors", "subtract", 8, {}},  // 99
+    {"vectors", "normalize", 64, {95, 96}},  // 100
 };
 // clang-format on
 

@@ -45,9 +45,9 @@ void check_render(const RenderBlock& render, Diagnostics& diagnostics) {
 void check_supported(const Scene& scene, Diagnostics& diagnostics) {
     for (const ObjectBlock& object : scene.objects) check_object(object, diagnostics);
     for (const PlaneBlock& plane : scene.planes)
-        unsupported(plane.position, block_name("plane", plane.name), diagnostics);
-    for (const TextureBlock& texture : scene.textures)
-        unsupported(texture.position, block_name("texture", texture.name), diagnostics);
+        if (plane.reflect && *plane.reflect > 0)
+            unsupported(plane.position, block_name("plane", plane.name) + ": 'reflect' above 0",
+                        diagnostics);
     for (const LightBlock& light : scene.lights)
         if (light.shadow.value_or(false))
             unsupported(light.shadow_position, block_name("light", light.name) + ": 'shadow: on'",
