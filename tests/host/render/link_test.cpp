@@ -78,6 +78,13 @@ const std::vector<Feature> features{
      simple + "ifs leaf { newmap scale: 0.5,0,0.5 newmap scale: 0.5 translate: 0,0.5,0 }"
               "object leaf { ifs: leaf sphere: (0,0,0) 2 } render { lipschitz: product }",
      "flatness"},
+    {simple, simple + "plane floor { normal: 0,1,0 }", "plane"},
+    {simple + "texture w { wood } plane { normal: 0,1,0 texture: w }",
+     simple + "texture w { wood } texture g { ifs: gasket } plane { normal: 0,1,0 texture: w, g }",
+     "texture_inclusion"},
+    {simple + "texture g { ifs: gasket } plane { normal: 0,1,0 texture: g }",
+     simple + "texture w { wood } texture g { ifs: gasket } plane { normal: 0,1,0 texture: w, g }",
+     "texture_wood"},
 };
 
 TEST(Link, a_feature_adds_its_module_and_nothing_else) {

@@ -186,12 +186,12 @@ TEST(Check, maps_are_counted) {
 }
 
 TEST(CheckSupported, says_what_this_version_cannot_render) {
-    EXPECT_EQ(support_messages("plane f { normal: 0,1,0 }"),
-              "s.pxm:1:1: error: plane \"f\": not supported yet\n"
-              "    plane f { normal: 0,1,0 }\n"
+    EXPECT_EQ(support_messages("plane f { normal: 0,1,0 reflect: 0.1 }"),
+              "s.pxm:1:1: error: plane \"f\": 'reflect' above 0: not supported yet\n"
+              "    plane f { normal: 0,1,0 reflect: 0.1 }\n"
               "    ^");
     for (const char* blocks :
-         {"texture t { wood }", "light { direction: 1,0,0 shadow: on }", "object o { cone }",
+         {"light { direction: 1,0,0 shadow: on }", "object o { cone }",
           "object o { ifs: a reflect: 0.1 }", "object o { ifs: a opacity: 0.5 }",
           "object o { ifs: a hull }", "render { covers: on }", "render { samples: 2 }",
           "render { intersect: fast }", "render { intersect: wide }", "render { volume: oriented }",
@@ -205,6 +205,7 @@ TEST(CheckSupported, says_what_this_version_cannot_render) {
 TEST(CheckSupported, is_silent_about_what_is_rendered) {
     EXPECT_EQ(
         support_messages(an_ifs + "object o { ifs: a cone reflect: 0 opacity: 1 } "
+                                  "plane { normal: 0,1,0 texture: t } texture t { wood } "
                                   "light { position: 1,0,0 shadow: off } render { covers: off "
                                   "samples: 1 intersect: heap numeric: dsp32 volume: box }"),
         "");
