@@ -56,6 +56,15 @@ template <NodeLike Node, class Real = typename Node::Real>
     return found;
 }
 
+/// The size of a pixel at a plane. It is never so small that rounding would put a shadow ray on the
+/// plane's other side (design decision 4, for the ray's length).
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Real pixel_on_plane(Node& node, const PixelSize<Real>& pixel, Real t) noexcept {
+    constexpr Real share = from_double<Real>(real_words<Real> == 1 ? 0x1p-20 : 0x1p-48);
+    node.tally(Operation::multiply_add, 1);
+    return pixel_size(node, pixel, t, share * t);
+}
+
 /// What a ray sees of a plane: a normal that faces the ray's origin, and the colour of the plane
 /// times those of its textures within a pixel of size p. The ray's direction is a unit vector.
 template <NodeLike Node, class Real = typename Node::Real>
@@ -68,14 +77,14 @@ template <NodeLike Node, class Real = typename Node::Real>
     surface.normal = read_vector(node, hit.plane + Plane::normal);
     surface.color = read_vector(node, hit.plane + Plane::color);
     surface.diffuse = node.shape_real(hit.plane + Plane::diffuse);
+    surface.reflect = node.shape_real(hit.plane + Plane::reflect);
     node.tally(Operation::compare_branch, 1);
     if (Real(0) < dot(node, ray.direction, surface.normal)) {
         surface.normal = negate(surface.normal);
     }
     std::uint32_t left = node.shape_word(hit.plane + Plane::layer_count);
     if (left == 0) return surface;
-    node.tally(Operation::multiply_add, 1);
-    const Vec3<Real> point = add_scaled(node, ray.origin, hit.t - ray.base, ray.direction);
+    const Vec3<Real> point = point_at(node, ray, hit.t);
     const Footprint<Real> foot = footprint(node, ray.direction, surface.normal, p);
     std::uint32_t layer = node.shape_word(hit.plane + Plane::layers);
     for (; left > 0; --left) {

@@ -19,7 +19,6 @@ constexpr std::int64_t word_bytes = 4;
 /// The scene without what check_supported() refuses.
 Scene supported_part(const Scene& scene) {
     Scene part = scene;
-    for (PlaneBlock& plane : part.planes) plane.reflect.reset();
     std::erase_if(part.objects, [](const ObjectBlock& object) { return !object.ifs; });
     for (ObjectBlock& object : part.objects) {
         if (object.volume && std::holds_alternative<HullVolume>(*object.volume)) {

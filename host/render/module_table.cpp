@@ -11,131 +11,178 @@ const std::string_view module_table_compiler = "g++ 12.2.0 x86-64";
 const std::vector<MeasuredModule> module_table{
     // name, program, read-only data, other data; bytes
     {"box", 811, 36, 0},
-    {"camera", 268, 4, 0},
-    {"descend", 1055, 4, 0},
+    {"camera", 294, 0, 0},
+    {"covers", 4198, 28, 0},
+    {"descend", 1144, 4, 0},
     {"flatness", 959, 24, 0},
     {"heap", 998, 0, 0},
-    {"illuminate", 352, 0, 0},
-    {"intersect", 678, 4, 0},
-    {"next_after", 1112, 4, 0},
+    {"illuminate", 20, 0, 0},
+    {"intersect", 776, 0, 0},
+    {"mirror", 221, 16, 0},
+    {"next_after", 1244, 4, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 1097, 16, 0},
-    {"plane", 660, 16, 0},
-    {"point_light", 51, 0, 0},
+    {"pixel_program", 139, 0, 0},
+    {"plane", 658, 16, 0},
+    {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
-    {"shade", 1442, 4, 0},
+    {"shade", 1759, 20, 0},
+    {"shadow", 83, 0, 0},
+    {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
     {"texture", 1515, 44, 0},
     {"texture_image", 944, 12, 0},
     {"texture_inclusion", 1687, 28, 0},
-    {"texture_wood", 2417, 120, 0},
-    {"vectors", 1302, 20, 0},
+    {"texture_wood", 2419, 120, 0},
+    {"trace", 2106, 16, 0},
+    {"trace_all", 3158, 24, 0},
+    {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {90, 3}},  // 0
+    {"box", "box_normal", 176, {130, 3}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {90, 1}},  // 2
+    {"box", "intersect_box", 112, {130, 1}},  // 2
     {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {87, 90, 41, 40}},  // 4
-    {"descend", "child_cell", 144, {88, 91, 16}},  // 5
-    {"descend", "cell_diameter", 32, {51}},  // 6
-    {"descend", "outermost_cell", 176, {88, 89, 91, 12}},  // 7
-    {"descend", "intersect_volume", 8, {2, 58}},  // 8
-    {"descend", "meet", 48, {8, 11}},  // 9
-    {"descend", "ending", 48, {6, 14}},  // 10
-    {"descend", "approach", 80, {90, 97}},  // 11
-    {"descend", "is_polar", 8, {}},  // 12
-    {"descend", "map_from", 8, {}},  // 13
-    {"descend", "pixel_at", 8, {}},  // 14
-    {"flatness", "undo_squash", 80, {87, 95, 99}},  // 15
-    {"flatness", "keep_thickness", 208, {89, 90, 15, 94, 95, 12, 14, 100}},  // 16
-    {"heap", "cell_words", 8, {}},  // 17
-    {"heap", "Heap::pop", 16, {21, 23, 25}},  // 18
-    {"heap", "Heap::keep", 8, {28}},  // 19
-    {"heap", "Heap::push", 80, {19, 22, 24, 27, 28}},  // 20
-    {"heap", "Heap::swap", 8, {}},  // 21
-    {"heap", "Heap::entry", 8, {}},  // 22
-    {"heap", "Heap::fetch", 8, {28}},  // 23
-    {"heap", "Heap::sift_up", 48, {21, 22, 27}},  // 24
-    {"heap", "Heap::sift_down", 80, {21, 22, 27}},  // 25
-    {"heap", "Heap::Heap", 8, {}},  // 26
-    {"heap", "before", 8, {}},  // 27
-    {"heap", "copy_cell", 32, {17}},  // 28
-    {"heap", "move_cell", 8, {28}},  // 29
-    {"illuminate", "illuminate", 128, {87, 90, 48, 95}},  // 30
-    {"intersect", "push_objects", 384, {7, 33, 20, 9}},  // 31
-    {"intersect", "push_children", 416, {5, 50, 33, 20, 9, 12}},  // 32
-    {"intersect", "Cell::Cell", 8, {}},  // 33
-    {"intersect", "intersect", 64, {35, 31, 32, 33, 18, 10}},  // 34
-    {"next_after", "next_after", 448, {7, 36, 23, 9, 27, 10, 37, 38, 13, 29, 39}},  // 35
-    {"next_after", "Cell::Cell", 8, {}},  // 36
-    {"next_after", "CellPath::make_again", 688, {5, 50, 36, 23, 9, 12, 13, 29, 39}},  // 37
-    {"next_after", "CellPath::down", 368, {5, 50, 36, 19, 9, 12, 29}},  // 38
-    {"next_after", "CellWord::get", 8, {}},  // 39
-    {"orthographic", "orthographic_ray", 32, {87, 90}},  // 40
-    {"perspective", "perspective_ray", 16, {100}},  // 41
-    {"pixel_program", "PixelStore::byte", 8, {}},  // 42
-    {"pixel_program", "render_pixel", 448, {87, 30, 52, 46, 47, 4, 34}},  // 43
-    {"pixel_program", "pixel_program", 896, {42, 43, 45, 26}},  // 44
-    {"pixel_program", "read_frame_constants", 16, {90}},  // 45
-    {"plane", "nearest_plane", 96, {90, 95}},  // 46
-    {"plane", "plane_surface", 144, {87, 60, 90, 95, 63}},  // 47
-    {"point_light", "direction_to_point_light", 80, {99, 100}},  // 48
-    {"polar", "jacobi_rotate", 8, {}},  // 49
-    {"polar", "complete_child", 144, {89, 98}},  // 50
-    {"polar", "largest_singular_value", 128, {49, 95, 96}},  // 51
-    {"shade", "surface_at", 928, {87, 5, 53, 54, 89, 90, 6, 50, 7, 8, 95, 56, 96, 98, 11, 12, 13, 29, 100}},  // 52
-    {"shade", "TotalNormal::add", 48, {87}},  // 53
-    {"shade", "cell_normal", 96, {55, 93, 100}},  // 54
-    {"shade", "volume_normal", 8, {0, 57}},  // 55
-    {"shade", "Cell::Cell", 8, {}},  // 56
-    {"sphere", "sphere_normal", 96, {87, 90, 99}},  // 57
-    {"sphere", "intersect_sphere", 112, {90, 95, 99}},  // 58
-    {"texture", "in_repeats", 48, {95}},  // 59
-    {"texture", "layer_color", 192, {87, 59, 90, 61, 99}},  // 60
-    {"texture", "texture_color", 48, {78, 66, 90, 70, 64}},  // 61
-    {"texture", "place_of", 8, {}},  // 62
-    {"texture", "footprint", 96, {87, 95, 96, 100}},  // 63
-    {"texture", "is_beyond (part)", 8, {}},  // 64
-    {"texture_image", "neighbours", 8, {}},  // 65
-    {"texture_image", "image_color", 128, {67, 68, 96, 62}},  // 66
-    {"texture_image", "image_level", 208, {65, 68, 69}},  // 67
-    {"texture_image", "mix", 96, {87, 99}},  // 68
-    {"texture_image", "texel", 8, {}},  // 69
-    {"texture_inclusion", "inclusion_color", 96, {87, 90, 72, 99}},  // 70
-    {"texture_inclusion", "largest_stretch", 8, {}},  // 71
-    {"texture_inclusion", "inclusion_coverage", 1552, {73, 74, 62, 75, 76}},  // 72
-    {"texture_inclusion", "outermost_point_cell", 48, {74, 76}},  // 73
-    {"texture_inclusion", "times", 8, {}},  // 74
-    {"texture_inclusion", "Inclusion::is_open", 96, {71, 74, 76}},  // 75
-    {"texture_inclusion", "read_vec2", 8, {}},  // 76
-    {"texture_wood", "pxm::floor_integer", 8, {}},  // 77
-    {"texture_wood", "wood_color", 192, {87, 90, 80, 81, 96, 62, 84, 99}},  // 78
-    {"texture_wood", "ring_darkness", 48, {77}},  // 79
-    {"texture_wood", "board_darkness", 48, {82, 83}},  // 80
-    {"texture_wood", "share_in_stripes", 48, {85}},  // 81
-    {"texture_wood", "noise", 112, {77, 86}},  // 82
-    {"texture_wood", "rings_at", 48, {79, 82}},  // 83
-    {"texture_wood", "scramble", 8, {}},  // 84
-    {"texture_wood", "share_in_stripes (part)", 32, {77}},  // 85
-    {"texture_wood", "noise (part)", 16, {84}},  // 86
-    {"vectors", "add_scaled", 8, {}},  // 87
-    {"vectors", "read_affine", 96, {89, 90}},  // 88
-    {"vectors", "read_linear", 32, {90}},  // 89
-    {"vectors", "read_vector", 8, {}},  // 90
-    {"vectors", "transform_ray", 48, {92, 94}},  // 91
-    {"vectors", "transform_point", 8, {}},  // 92
-    {"vectors", "transform_normal", 64, {95}},  // 93
-    {"vectors", "transform_direction", 8, {}},  // 94
-    {"vectors", "dot", 8, {}},  // 95
-    {"vectors", "scale", 8, {}},  // 96
-    {"vectors", "rebase", 80, {87, 95, 99}},  // 97
-    {"vectors", "compose", 48, {94}},  // 98
-    {"vectors", "subtract", 8, {}},  // 99
-    {"vectors", "normalize", 64, {95, 96}},  // 100
+    {"camera", "eye_ray", 96, {127, 130, 60, 59}},  // 4
+    {"covers", "next_after", 432, {13, 42, 25, 55, 56, 57, 28, 44, 17}},  // 5
+    {"covers", "covers_along", 768, {46, 5, 13, 44, 14, 18}},  // 6
+    {"covers", "covers_along", 768, {46, 5, 13, 44, 15, 19}},  // 7
+    {"covers", "volume_gauge", 96, {130, 135, 140}},  // 8
+    {"covers", "MissedChildren::shown", 8, {}},  // 9
+    {"covers", "MissedChildren::missed", 48, {8, 21, 69, 27}},  // 10
+    {"covers", "shrunk_for_covers", 96, {127, 130, 136, 29, 140}},  // 11
+    {"covers", "push_children_and_cover", 480, {20, 9, 10, 69, 13, 35, 24, 27}},  // 12
+    {"covers", "Cell::Cell", 8, {}},  // 13
+    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 16, 18}},  // 14
+    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 19}},  // 15
+    {"covers", "CollectCovers::operator", 32, {44}},  // 16
+    {"covers", "CoverRule::operator", 464, {20, 21, 9, 10, 13, 24, 29}},  // 17
+    {"covers", "CoverWalk::tell", 32, {42, 16}},  // 18
+    {"covers", "CoverWalk::tell", 32, {42}},  // 19
+    {"descend", "child_cell", 144, {128, 131, 31}},  // 20
+    {"descend", "cell_diameter", 32, {70}},  // 21
+    {"descend", "outermost_cell", 176, {128, 129, 131, 27}},  // 22
+    {"descend", "intersect_volume", 8, {2, 83}},  // 23
+    {"descend", "meet", 112, {23, 11, 26}},  // 24
+    {"descend", "ending", 48, {21, 29}},  // 25
+    {"descend", "approach", 80, {130, 137}},  // 26
+    {"descend", "is_polar", 8, {}},  // 27
+    {"descend", "map_from", 8, {}},  // 28
+    {"descend", "pixel_at", 8, {}},  // 29
+    {"flatness", "undo_squash", 80, {127, 135, 140}},  // 30
+    {"flatness", "keep_thickness", 208, {129, 130, 30, 134, 135, 27, 29, 141}},  // 31
+    {"heap", "cell_words", 8, {}},  // 32
+    {"heap", "Heap::pop", 16, {36, 38, 40}},  // 33
+    {"heap", "Heap::keep", 8, {43}},  // 34
+    {"heap", "Heap::push", 80, {34, 37, 39, 42, 43}},  // 35
+    {"heap", "Heap::swap", 8, {}},  // 36
+    {"heap", "Heap::entry", 8, {}},  // 37
+    {"heap", "Heap::fetch", 8, {43}},  // 38
+    {"heap", "Heap::sift_up", 48, {36, 37, 42}},  // 39
+    {"heap", "Heap::sift_down", 80, {36, 37, 42}},  // 40
+    {"heap", "Heap::Heap", 8, {}},  // 41
+    {"heap", "before", 8, {}},  // 42
+    {"heap", "copy_cell", 32, {32}},  // 43
+    {"heap", "move_cell", 8, {43}},  // 44
+    {"illuminate", "facing", 16, {135}},  // 45
+    {"intersect", "count_heap", 8, {}},  // 46
+    {"intersect", "push_objects", 384, {22, 49, 35, 24}},  // 47
+    {"intersect", "push_children", 416, {20, 69, 49, 35, 24, 27}},  // 48
+    {"intersect", "Cell::Cell", 8, {}},  // 49
+    {"intersect", "intersect", 112, {46, 52, 47, 48, 49, 33, 25}},  // 50
+    {"mirror", "mirrored", 112, {127, 135, 141}},  // 51
+    {"next_after", "next_after", 432, {53, 42, 25, 55, 56, 57, 28, 44}},  // 52
+    {"next_after", "Cell::Cell", 8, {}},  // 53
+    {"next_after", "CellPath::make_again", 688, {20, 69, 53, 38, 24, 27, 28, 44, 58}},  // 54
+    {"next_after", "CellPath::up", 48, {38, 54, 58}},  // 55
+    {"next_after", "CellPath::down", 368, {20, 69, 53, 34, 24, 27, 44}},  // 56
+    {"next_after", "CellPath::start", 32, {22, 24}},  // 57
+    {"next_after", "CellWord::get", 8, {}},  // 58
+    {"orthographic", "orthographic_ray", 32, {127, 130}},  // 59
+    {"perspective", "perspective_ray", 16, {141}},  // 60
+    {"pixel_program", "read_frame_constants", 32, {130}},  // 61
+    {"plane", "nearest_plane", 96, {130, 135}},  // 62
+    {"plane", "plane_surface", 144, {85, 130, 135, 139, 88}},  // 63
+    {"point_light", "facing_point_light", 944, {20, 72, 129, 130, 69, 22, 23, 74, 65, 66, 76, 136, 45, 138, 26, 27, 28, 44, 67}},  // 64
+    {"point_light", "direction_to_point_light", 80, {140, 141}},  // 65
+    {"point_light", "Cell::Cell", 8, {}},  // 66
+    {"point_light", "AddPointLight::operator", 96, {21, 65, 45, 77, 139}},  // 67
+    {"polar", "jacobi_rotate", 8, {}},  // 68
+    {"polar", "complete_child", 144, {129, 138}},  // 69
+    {"polar", "largest_singular_value", 128, {68, 135, 136}},  // 70
+    {"shade", "surface_at", 112, {74, 76, 141, 78}},  // 71
+    {"shade", "cell_normal", 96, {73, 133, 141}},  // 72
+    {"shade", "volume_normal", 8, {0, 82}},  // 73
+    {"shade", "outermost_diameter", 352, {21, 22, 75}},  // 74
+    {"shade", "Cell::Cell", 8, {}},  // 75
+    {"shade", "blend", 112, {127, 130, 136}},  // 76
+    {"shade", "PathSum::add", 48, {127}},  // 77
+    {"shade", "walk_path", 896, {20, 72, 129, 130, 69, 22, 23, 75, 76, 138, 26, 27, 28, 44, 79}},  // 78
+    {"shade", "AddNormal::operator", 48, {21, 77}},  // 79
+    {"shadow", "search_to_light", 8, {}},  // 80
+    {"shadow_point", "search_from_light", 80, {135, 140, 141}},  // 81
+    {"sphere", "sphere_normal", 96, {127, 130, 140}},  // 82
+    {"sphere", "intersect_sphere", 112, {130, 135, 140}},  // 83
+    {"texture", "in_repeats", 48, {135}},  // 84
+    {"texture", "layer_color", 192, {127, 84, 130, 86, 140}},  // 85
+    {"texture", "texture_color", 48, {103, 91, 130, 95, 89}},  // 86
+    {"texture", "place_of", 8, {}},  // 87
+    {"texture", "footprint", 96, {127, 135, 136, 141}},  // 88
+    {"texture", "is_beyond (part)", 8, {}},  // 89
+    {"texture_image", "neighbours", 8, {}},  // 90
+    {"texture_image", "image_color", 128, {92, 93, 136, 87}},  // 91
+    {"texture_image", "image_level", 208, {90, 93, 94}},  // 92
+    {"texture_image", "mix", 96, {127, 140}},  // 93
+    {"texture_image", "texel", 8, {}},  // 94
+    {"texture_inclusion", "inclusion_color", 96, {127, 130, 97, 140}},  // 95
+    {"texture_inclusion", "largest_stretch", 8, {}},  // 96
+    {"texture_inclusion", "inclusion_coverage", 1552, {98, 99, 87, 100, 101}},  // 97
+    {"texture_inclusion", "outermost_point_cell", 48, {99, 101}},  // 98
+    {"texture_inclusion", "times", 8, {}},  // 99
+    {"texture_inclusion", "Inclusion::is_open", 96, {96, 99, 101}},  // 100
+    {"texture_inclusion", "read_vec2", 8, {}},  // 101
+    {"texture_wood", "pxm::floor_integer", 8, {}},  // 102
+    {"texture_wood", "wood_color", 192, {127, 130, 105, 106, 136, 87, 109, 140}},  // 103
+    {"texture_wood", "ring_darkness", 48, {102}},  // 104
+    {"texture_wood", "board_darkness", 48, {107, 108}},  // 105
+    {"texture_wood", "share_in_stripes", 48, {110}},  // 106
+    {"texture_wood", "noise", 112, {102, 111}},  // 107
+    {"texture_wood", "rings_at", 48, {104, 107}},  // 108
+    {"texture_wood", "scramble", 8, {}},  // 109
+    {"texture_wood", "share_in_stripes (part)", 32, {102}},  // 110
+    {"texture_wood", "noise (part)", 16, {109}},  // 111
+    {"trace", "PixelStore::byte", 8, {}},  // 112
+    {"trace", "render_pixel", 672, {127, 71, 62, 63, 115, 116, 4, 29, 139, 50, 44}},  // 113
+    {"trace", "pixel_program", 960, {112, 113, 61, 41}},  // 114
+    {"trace", "Tracer::shade", 128, {127, 130, 64, 45}},  // 115
+    {"trace", "Tracer::is_most", 8, {}},  // 116
+    {"trace_all", "PixelStore::byte", 8, {}},  // 117
+    {"trace_all", "Tracer::shade (part)", 256, {127, 130, 7, 80, 81, 64, 123, 45}},  // 118
+    {"trace_all", "render_pixel", 3392, {121, 122, 4}},  // 119
+    {"trace_all", "pixel_program", 960, {117, 119, 61, 121, 41}},  // 120
+    {"trace_all", "Cell::Cell", 8, {}},  // 121
+    {"trace_all", "Tracer::look_along", 128, {127, 63, 123, 124, 125, 126, 139}},  // 122
+    {"trace_all", "Tracer::meets_plane", 8, {62}},  // 123
+    {"trace_all", "Tracer::look_through_covers", 560, {71, 6, 121, 125, 126, 29, 139, 44}},  // 124
+    {"trace_all", "Tracer::shade", 144, {127, 118, 51}},  // 125
+    {"trace_all", "Tracer::is_most", 8, {}},  // 126
+    {"vectors", "add_scaled", 8, {}},  // 127
+    {"vectors", "read_affine", 96, {129, 130}},  // 128
+    {"vectors", "read_linear", 32, {130}},  // 129
+    {"vectors", "read_vector", 8, {}},  // 130
+    {"vectors", "transform_ray", 48, {132, 134}},  // 131
+    {"vectors", "transform_point", 8, {}},  // 132
+    {"vectors", "transform_normal", 64, {135}},  // 133
+    {"vectors", "transform_direction", 8, {}},  // 134
+    {"vectors", "dot", 8, {}},  // 135
+    {"vectors", "scale", 8, {}},  // 136
+    {"vectors", "rebase", 80, {127, 135, 140}},  // 137
+    {"vectors", "compose", 48, {134}},  // 138
+    {"vectors", "point_at", 8, {127}},  // 139
+    {"vectors", "subtract", 8, {}},  // 140
+    {"vectors", "normalize", 64, {135, 136}},  // 141
 };
 // clang-format on
 
