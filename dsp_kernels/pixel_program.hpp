@@ -19,6 +19,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     frame.search.cell_cap = node.shape_word(Header::cell_cap);
     frame.shading = static_cast<ShadingMode>(node.shape_word(Header::shading));
     frame.background = read_vector(node, Header::background);
+    frame.planes = node.shape_word(Header::plane_count);
     frame.bounces = node.shape_word(Header::bounces);
     frame.samples = node.shape_word(Header::sample_count);
     frame.sample_share = node.shape_real(Header::sample_share);
@@ -33,6 +34,7 @@ void render_pixel(Node& node, FrameConstants<Real>& frame, Heap<Node>& heap, std
     result.color = {};
     result.opacity = Real(0);
     result.found.outcome = Outcome::miss;
+    result.floor = {};
     result.normal = {};
     result.counts = {};
     result.rays = {};

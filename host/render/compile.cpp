@@ -11,6 +11,7 @@
 
 #include "host/fractal/lipschitz.hpp"
 #include "host/render/bounding_volume.hpp"
+#include "host/render/compile_floor.hpp"
 #include "host/render/lifted_fractal.hpp"
 #include "host/render/lights.hpp"
 #include "host/render/samples.hpp"
@@ -167,6 +168,7 @@ class Compiler {
         if (diagnostics_.has_errors()) return {};
         lift_to_pixels(objects);
         for (const Placed& object : objects) add_object(object);
+        compile_floor(scene_, view_, fractals_, out_, diagnostics_);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
         set_sampling();

@@ -14,6 +14,7 @@
 #include "dsp_kernels/scene_block.hpp"
 #include "host/fractal/affine.hpp"
 #include "host/fractal/polytope.hpp"
+#include "host/render/compiled_floor.hpp"
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {
@@ -92,6 +93,9 @@ struct CompiledScene {
     CropWindow crop;
     std::vector<CompiledShape> shapes;
     std::vector<CompiledObject> objects;
+    std::vector<CompiledPlane> planes;
+    std::vector<CompiledTexture> textures;     // those that planes use
+    std::vector<std::uint32_t> texture_words;  // the texture memory of every node
     std::vector<CompiledLight> lights;
     CompiledCamera camera;
     kernels::ShadingMode shading = kernels::ShadingMode::constant;

@@ -26,36 +26,41 @@ const std::vector<MeasuredModule> module_table{
     {"oriented", 1069, 32, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 130, 0, 0},
+    {"pixel_program", 139, 0, 0},
+    {"plane", 658, 16, 0},
     {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
     {"shade", 1801, 68, 0},
     {"shadow", 83, 0, 0},
     {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
-    {"trace", 1618, 12, 0},
-    {"trace_all", 2796, 20, 0},
+    {"texture", 1515, 44, 0},
+    {"texture_image", 944, 12, 0},
+    {"texture_inclusion", 1687, 28, 0},
+    {"texture_wood", 2419, 120, 0},
+    {"trace", 2106, 16, 0},
+    {"trace_all", 3158, 24, 0},
     {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 128, {112, 2, 4}},  // 0
+    {"box", "box_normal", 128, {148, 2, 4}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
     {"box", "decisive_face", 8, {}},  // 2
-    {"box", "intersect_box", 112, {112, 1}},  // 3
+    {"box", "intersect_box", 112, {148, 1}},  // 3
     {"box", "box_normal (part)", 8, {}},  // 4
-    {"camera", "eye_ray", 96, {109, 112, 78, 77}},  // 5
-    {"cone", "cone_normal", 128, {109, 112, 7, 117, 122}},  // 6
+    {"camera", "eye_ray", 96, {145, 148, 78, 77}},  // 5
+    {"cone", "cone_normal", 128, {145, 148, 7, 153, 158}},  // 6
     {"cone", "clip_to_mantle", 8, {}},  // 7
-    {"cone", "intersect_cone", 80, {112, 7, 122}},  // 8
+    {"cone", "intersect_cone", 80, {148, 7, 158}},  // 8
     {"covers", "next_after", 432, {16, 50, 33, 66, 67, 68, 36, 52, 21}},  // 9
     {"covers", "covers_along", 768, {57, 9, 16, 52, 18, 22}},  // 10
     {"covers", "covers_along", 768, {57, 9, 16, 52, 19, 23}},  // 11
     {"covers", "MissedChildren::shown", 8, {}},  // 12
-    {"covers", "MissedChildren::missed", 80, {112, 29, 85, 117, 35, 122}},  // 13
-    {"covers", "shrunk_for_covers", 96, {109, 112, 118, 37, 122}},  // 14
-    {"covers", "push_children_and_cover", 480, {27, 12, 13, 85, 16, 43, 32, 35}},  // 15
+    {"covers", "MissedChildren::missed", 80, {148, 29, 87, 153, 35, 158}},  // 13
+    {"covers", "shrunk_for_covers", 96, {145, 148, 154, 37, 158}},  // 14
+    {"covers", "push_children_and_cover", 480, {27, 12, 13, 87, 16, 43, 32, 35}},  // 15
     {"covers", "Cell::Cell", 8, {}},  // 16
     {"covers", "ending", 48, {28}},  // 17
     {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 20, 22}},  // 18
@@ -65,21 +70,21 @@ const std::vector<MeasuredFunction> function_table{
     {"covers", "CoverWalk::tell", 32, {50, 20}},  // 22
     {"covers", "CoverWalk::tell", 32, {50}},  // 23
     {"cylinder", "within_mantle", 8, {}},  // 24
-    {"cylinder", "cylinder_normal", 128, {109, 112, 24, 122}},  // 25
-    {"cylinder", "intersect_cylinder", 96, {112, 24, 122}},  // 26
-    {"descend", "child_cell", 144, {110, 113, 39}},  // 27
+    {"cylinder", "cylinder_normal", 128, {145, 148, 24, 158}},  // 25
+    {"cylinder", "intersect_cylinder", 96, {148, 24, 158}},  // 26
+    {"descend", "child_cell", 144, {146, 149, 39}},  // 27
     {"descend", "at_last_level", 8, {}},  // 28
-    {"descend", "cell_diameter", 32, {86}},  // 29
-    {"descend", "outermost_cell", 176, {110, 111, 113, 35}},  // 30
-    {"descend", "intersect_volume", 8, {3, 8, 55, 99, 26, 75}},  // 31
+    {"descend", "cell_diameter", 32, {88}},  // 29
+    {"descend", "outermost_cell", 176, {146, 147, 149, 35}},  // 30
+    {"descend", "intersect_volume", 8, {3, 8, 55, 101, 26, 75}},  // 31
     {"descend", "meet", 112, {28, 31, 14, 34}},  // 32
     {"descend", "ending", 48, {28, 29, 37}},  // 33
-    {"descend", "approach", 80, {112, 119}},  // 34
+    {"descend", "approach", 80, {148, 155}},  // 34
     {"descend", "is_polar", 8, {}},  // 35
     {"descend", "map_from", 8, {}},  // 36
     {"descend", "pixel_at", 8, {}},  // 37
-    {"flatness", "undo_squash", 80, {109, 117, 122}},  // 38
-    {"flatness", "keep_thickness", 208, {111, 112, 38, 116, 117, 35, 37, 123}},  // 39
+    {"flatness", "undo_squash", 80, {145, 153, 158}},  // 38
+    {"flatness", "keep_thickness", 208, {147, 148, 38, 152, 153, 35, 37, 159}},  // 39
     {"heap", "cell_words", 8, {}},  // 40
     {"heap", "Heap::pop", 16, {44, 46, 48}},  // 41
     {"heap", "Heap::keep", 8, {51}},  // 42
@@ -93,77 +98,113 @@ const std::vector<MeasuredFunction> function_table{
     {"heap", "before", 8, {}},  // 50
     {"heap", "copy_cell", 32, {40}},  // 51
     {"heap", "move_cell", 8, {51}},  // 52
-    {"hull", "cross_plane", 80, {112, 117}},  // 53
-    {"hull", "hull_normal", 128, {53, 112, 122}},  // 54
-    {"hull", "intersect_hull", 112, {53, 112, 122}},  // 55
-    {"illuminate", "facing", 16, {117}},  // 56
+    {"hull", "cross_plane", 80, {148, 153}},  // 53
+    {"hull", "hull_normal", 128, {53, 148, 158}},  // 54
+    {"hull", "intersect_hull", 112, {53, 148, 158}},  // 55
+    {"illuminate", "facing", 16, {153}},  // 56
     {"intersect", "count_heap", 8, {}},  // 57
     {"intersect", "push_objects", 384, {30, 60, 43, 32}},  // 58
-    {"intersect", "push_children", 416, {27, 85, 60, 43, 32, 35}},  // 59
+    {"intersect", "push_children", 416, {27, 87, 60, 43, 32, 35}},  // 59
     {"intersect", "Cell::Cell", 8, {}},  // 60
     {"intersect", "intersect", 112, {57, 63, 58, 59, 60, 41, 33}},  // 61
-    {"mirror", "mirrored", 112, {109, 117, 123}},  // 62
+    {"mirror", "mirrored", 112, {145, 153, 159}},  // 62
     {"next_after", "next_after", 432, {64, 50, 33, 66, 67, 68, 36, 52}},  // 63
     {"next_after", "Cell::Cell", 8, {}},  // 64
-    {"next_after", "CellPath::make_again", 688, {27, 85, 64, 46, 32, 35, 36, 52, 69}},  // 65
+    {"next_after", "CellPath::make_again", 688, {27, 87, 64, 46, 32, 35, 36, 52, 69}},  // 65
     {"next_after", "CellPath::up", 48, {46, 65, 69}},  // 66
-    {"next_after", "CellPath::down", 368, {27, 85, 64, 42, 32, 35, 52}},  // 67
+    {"next_after", "CellPath::down", 368, {27, 87, 64, 42, 32, 35, 52}},  // 67
     {"next_after", "CellPath::start", 32, {30, 32}},  // 68
     {"next_after", "CellWord::get", 8, {}},  // 69
-    {"oriented", "along_axes", 64, {117}},  // 70
+    {"oriented", "along_axes", 64, {153}},  // 70
     {"oriented", "clip_to_slab", 8, {}},  // 71
     {"oriented", "decisive_face", 8, {}},  // 72
     {"oriented", "oriented_normal", 128, {72, 74, 76}},  // 73
-    {"oriented", "to_oriented_box", 96, {70, 111, 112, 122}},  // 74
+    {"oriented", "to_oriented_box", 96, {70, 147, 148, 158}},  // 74
     {"oriented", "intersect_oriented", 80, {71, 74}},  // 75
-    {"oriented", "oriented_normal (part)", 32, {112}},  // 76
-    {"orthographic", "orthographic_ray", 32, {109, 112}},  // 77
-    {"perspective", "perspective_ray", 16, {123}},  // 78
-    {"pixel_program", "read_frame_constants", 32, {112}},  // 79
-    {"point_light", "facing_point_light", 944, {27, 88, 111, 112, 85, 30, 31, 90, 81, 82, 92, 118, 56, 120, 34, 35, 36, 52, 83}},  // 80
-    {"point_light", "direction_to_point_light", 80, {122, 123}},  // 81
-    {"point_light", "Cell::Cell", 8, {}},  // 82
-    {"point_light", "AddPointLight::operator", 96, {29, 81, 56, 93, 121}},  // 83
-    {"polar", "jacobi_rotate", 8, {}},  // 84
-    {"polar", "complete_child", 144, {111, 120}},  // 85
-    {"polar", "largest_singular_value", 128, {84, 117, 118}},  // 86
-    {"shade", "surface_at", 112, {90, 92, 123, 94}},  // 87
-    {"shade", "cell_normal", 96, {89, 115, 123}},  // 88
-    {"shade", "volume_normal", 8, {0, 6, 54, 98, 25, 73}},  // 89
-    {"shade", "outermost_diameter", 352, {29, 30, 91}},  // 90
-    {"shade", "Cell::Cell", 8, {}},  // 91
-    {"shade", "blend", 112, {109, 112, 118}},  // 92
-    {"shade", "PathSum::add", 48, {109}},  // 93
-    {"shade", "walk_path", 896, {27, 88, 111, 112, 85, 30, 31, 91, 92, 120, 34, 35, 36, 52, 95}},  // 94
-    {"shade", "AddNormal::operator", 48, {29, 93}},  // 95
-    {"shadow", "search_to_light", 8, {}},  // 96
-    {"shadow_point", "search_from_light", 80, {117, 122, 123}},  // 97
-    {"sphere", "sphere_normal", 96, {109, 112, 122}},  // 98
-    {"sphere", "intersect_sphere", 112, {112, 117, 122}},  // 99
-    {"trace", "PixelStore::byte", 8, {}},  // 100
-    {"trace", "render_pixel", 736, {109, 87, 112, 80, 56, 5, 37, 121, 61, 52}},  // 101
-    {"trace", "pixel_program", 960, {100, 101, 79, 49}},  // 102
-    {"trace_all", "PixelStore::byte", 8, {}},  // 103
-    {"trace_all", "Tracer::shade (part)", 240, {109, 112, 11, 96, 97, 80, 56}},  // 104
-    {"trace_all", "render_pixel", 3472, {109, 107, 108, 5}},  // 105
-    {"trace_all", "pixel_program", 960, {103, 105, 79, 107, 49}},  // 106
-    {"trace_all", "Cell::Cell", 8, {}},  // 107
-    {"trace_all", "Tracer::look_through_covers", 656, {109, 104, 87, 10, 107, 62, 37, 121, 52}},  // 108
-    {"vectors", "add_scaled", 8, {}},  // 109
-    {"vectors", "read_affine", 96, {111, 112}},  // 110
-    {"vectors", "read_linear", 32, {112}},  // 111
-    {"vectors", "read_vector", 8, {}},  // 112
-    {"vectors", "transform_ray", 48, {114, 116}},  // 113
-    {"vectors", "transform_point", 8, {}},  // 114
-    {"vectors", "transform_normal", 64, {117}},  // 115
-    {"vectors", "transform_direction", 8, {}},  // 116
-    {"vectors", "dot", 8, {}},  // 117
-    {"vectors", "scale", 8, {}},  // 118
-    {"vectors", "rebase", 80, {109, 117, 122}},  // 119
-    {"vectors", "compose", 48, {116}},  // 120
-    {"vectors", "point_at", 8, {109}},  // 121
-    {"vectors", "subtract", 8, {}},  // 122
-    {"vectors", "normalize", 64, {117, 118}},  // 123
+    {"oriented", "oriented_normal (part)", 32, {148}},  // 76
+    {"orthographic", "orthographic_ray", 32, {145, 148}},  // 77
+    {"perspective", "perspective_ray", 16, {159}},  // 78
+    {"pixel_program", "read_frame_constants", 32, {148}},  // 79
+    {"plane", "nearest_plane", 96, {148, 153}},  // 80
+    {"plane", "plane_surface", 144, {103, 148, 153, 157, 106}},  // 81
+    {"point_light", "facing_point_light", 944, {27, 90, 147, 148, 87, 30, 31, 92, 83, 84, 94, 154, 56, 156, 34, 35, 36, 52, 85}},  // 82
+    {"point_light", "direction_to_point_light", 80, {158, 159}},  // 83
+    {"point_light", "Cell::Cell", 8, {}},  // 84
+    {"point_light", "AddPointLight::operator", 96, {29, 83, 56, 95, 157}},  // 85
+    {"polar", "jacobi_rotate", 8, {}},  // 86
+    {"polar", "complete_child", 144, {147, 156}},  // 87
+    {"polar", "largest_singular_value", 128, {86, 153, 154}},  // 88
+    {"shade", "surface_at", 112, {92, 94, 159, 96}},  // 89
+    {"shade", "cell_normal", 96, {91, 151, 159}},  // 90
+    {"shade", "volume_normal", 8, {0, 6, 54, 100, 25, 73}},  // 91
+    {"shade", "outermost_diameter", 352, {29, 30, 93}},  // 92
+    {"shade", "Cell::Cell", 8, {}},  // 93
+    {"shade", "blend", 112, {145, 148, 154}},  // 94
+    {"shade", "PathSum::add", 48, {145}},  // 95
+    {"shade", "walk_path", 896, {27, 90, 147, 148, 87, 30, 31, 93, 94, 156, 34, 35, 36, 52, 97}},  // 96
+    {"shade", "AddNormal::operator", 48, {29, 95}},  // 97
+    {"shadow", "search_to_light", 8, {}},  // 98
+    {"shadow_point", "search_from_light", 80, {153, 158, 159}},  // 99
+    {"sphere", "sphere_normal", 96, {145, 148, 158}},  // 100
+    {"sphere", "intersect_sphere", 112, {148, 153, 158}},  // 101
+    {"texture", "in_repeats", 48, {153}},  // 102
+    {"texture", "layer_color", 192, {145, 102, 148, 104, 158}},  // 103
+    {"texture", "texture_color", 48, {121, 109, 148, 113, 107}},  // 104
+    {"texture", "place_of", 8, {}},  // 105
+    {"texture", "footprint", 96, {145, 153, 154, 159}},  // 106
+    {"texture", "is_beyond (part)", 8, {}},  // 107
+    {"texture_image", "neighbours", 8, {}},  // 108
+    {"texture_image", "image_color", 128, {110, 111, 154, 105}},  // 109
+    {"texture_image", "image_level", 208, {108, 111, 112}},  // 110
+    {"texture_image", "mix", 96, {145, 158}},  // 111
+    {"texture_image", "texel", 8, {}},  // 112
+    {"texture_inclusion", "inclusion_color", 96, {145, 148, 115, 158}},  // 113
+    {"texture_inclusion", "largest_stretch", 8, {}},  // 114
+    {"texture_inclusion", "inclusion_coverage", 1552, {116, 117, 105, 118, 119}},  // 115
+    {"texture_inclusion", "outermost_point_cell", 48, {117, 119}},  // 116
+    {"texture_inclusion", "times", 8, {}},  // 117
+    {"texture_inclusion", "Inclusion::is_open", 96, {114, 117, 119}},  // 118
+    {"texture_inclusion", "read_vec2", 8, {}},  // 119
+    {"texture_wood", "pxm::floor_integer", 8, {}},  // 120
+    {"texture_wood", "wood_color", 192, {145, 148, 123, 124, 154, 105, 127, 158}},  // 121
+    {"texture_wood", "ring_darkness", 48, {120}},  // 122
+    {"texture_wood", "board_darkness", 48, {125, 126}},  // 123
+    {"texture_wood", "share_in_stripes", 48, {128}},  // 124
+    {"texture_wood", "noise", 112, {120, 129}},  // 125
+    {"texture_wood", "rings_at", 48, {122, 125}},  // 126
+    {"texture_wood", "scramble", 8, {}},  // 127
+    {"texture_wood", "share_in_stripes (part)", 32, {120}},  // 128
+    {"texture_wood", "noise (part)", 16, {127}},  // 129
+    {"trace", "PixelStore::byte", 8, {}},  // 130
+    {"trace", "render_pixel", 672, {145, 89, 80, 81, 133, 134, 5, 37, 157, 61, 52}},  // 131
+    {"trace", "pixel_program", 960, {130, 131, 79, 49}},  // 132
+    {"trace", "Tracer::shade", 128, {145, 148, 82, 56}},  // 133
+    {"trace", "Tracer::is_most", 8, {}},  // 134
+    {"trace_all", "PixelStore::byte", 8, {}},  // 135
+    {"trace_all", "Tracer::shade (part)", 256, {145, 148, 11, 98, 99, 82, 141, 56}},  // 136
+    {"trace_all", "render_pixel", 3392, {139, 140, 5}},  // 137
+    {"trace_all", "pixel_program", 960, {135, 137, 79, 139, 49}},  // 138
+    {"trace_all", "Cell::Cell", 8, {}},  // 139
+    {"trace_all", "Tracer::look_along", 128, {145, 81, 141, 142, 143, 144, 157}},  // 140
+    {"trace_all", "Tracer::meets_plane", 8, {80}},  // 141
+    {"trace_all", "Tracer::look_through_covers", 560, {89, 10, 139, 143, 144, 37, 157, 52}},  // 142
+    {"trace_all", "Tracer::shade", 144, {145, 136, 62}},  // 143
+    {"trace_all", "Tracer::is_most", 8, {}},  // 144
+    {"vectors", "add_scaled", 8, {}},  // 145
+    {"vectors", "read_affine", 96, {147, 148}},  // 146
+    {"vectors", "read_linear", 32, {148}},  // 147
+    {"vectors", "read_vector", 8, {}},  // 148
+    {"vectors", "transform_ray", 48, {150, 152}},  // 149
+    {"vectors", "transform_point", 8, {}},  // 150
+    {"vectors", "transform_normal", 64, {153}},  // 151
+    {"vectors", "transform_direction", 8, {}},  // 152
+    {"vectors", "dot", 8, {}},  // 153
+    {"vectors", "scale", 8, {}},  // 154
+    {"vectors", "rebase", 80, {145, 153, 158}},  // 155
+    {"vectors", "compose", 48, {152}},  // 156
+    {"vectors", "point_at", 8, {145}},  // 157
+    {"vectors", "subtract", 8, {}},  // 158
+    {"vectors", "normalize", 64, {153, 154}},  // 159
 };
 // clang-format on
 

@@ -23,10 +23,6 @@ void check_render(const RenderBlock& render, Diagnostics& diagnostics) {
 }  // namespace
 
 void check_supported(const Scene& scene, Diagnostics& diagnostics) {
-    for (const PlaneBlock& plane : scene.planes)
-        unsupported(plane.position, block_name("plane", plane.name), diagnostics);
-    for (const TextureBlock& texture : scene.textures)
-        unsupported(texture.position, block_name("texture", texture.name), diagnostics);
     if (scene.render) check_render(*scene.render, diagnostics);
 }
 

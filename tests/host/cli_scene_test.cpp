@@ -111,8 +111,6 @@ TEST_F(BadScene, what_cannot_be_rendered_yet_is_code_3) {
     const auto unsupported = [&](const std::string& block) {
         refuse_naming(tetra + block, {"a.pxm:7:", "not supported yet", block});
     };
-    unsupported("plane p { point: 0,0,0 normal: 0,1,0 }");
-    unsupported("texture t { wood }");
     unsupported("render { intersect: wide }");
 }
 
