@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dsp_kernels/camera.hpp"
-#include "dsp_kernels/intersect.hpp"
+#include "dsp_kernels/first_cell.hpp"
 #include "dsp_kernels/shade.hpp"
 
 namespace pxm::kernels {
@@ -33,6 +33,7 @@ template <NodeLike Node, class Real = typename Node::Real>
                           node.shape_real(Header::pixel_growth)};
     frame.search.detail = node.shape_real(Header::detail);
     frame.search.cell_cap = node.shape_word(Header::cell_cap);
+    frame.search.method = static_cast<Method>(node.shape_word(Header::method));
     frame.shading = static_cast<ShadingMode>(node.shape_word(Header::shading));
     frame.background = read_vector(node, Header::background);
     return frame;
@@ -44,7 +45,7 @@ void render_pixel(Node& node, FrameConstants<Real>& frame, Heap<Node>& heap, std
                   std::uint32_t y, PixelResult<Real>& result) noexcept {
     frame.search.ray = eye_ray(node, x, y);
     result.counts = {};
-    result.found = intersect(node, frame.search, heap, result.counts);
+    result.found = first_cell(node, frame.search, heap, result.counts);
     result.normal = {};
     result.color = frame.background;
     if (result.found.outcome == Outcome::miss) return;

@@ -25,6 +25,7 @@ enum class ShadingMode : std::uint32_t { constant, low_pass, high_pass, facet };
 enum class Projection : std::uint32_t { perspective, orthographic };
 enum class Volume : std::uint32_t { sphere, box };
 enum class Lipschitz : std::uint32_t { product, determinant, polar };
+enum class Method : std::uint32_t { heap, fast };  // of intersection: Alg. 12.4, Ch. 13
 enum class LightKind : std::uint32_t { directional, point };
 
 inline constexpr std::uint32_t unlimited_levels = 0xFFFF'FFFF;
@@ -44,6 +45,7 @@ struct HeaderRecord : Record<R, 16, 28> {
     static constexpr std::uint32_t shading = Base::integer(10);
     static constexpr std::uint32_t projection = Base::integer(11);
     static constexpr std::uint32_t cell_cap = Base::integer(12);
+    static constexpr std::uint32_t method = Base::integer(15);
     // numbers
     static constexpr std::uint32_t eye = Base::real(0);
     static constexpr std::uint32_t corner = Base::real(3);

@@ -15,6 +15,7 @@ struct Search {
     PixelSize<Real> pixel;
     Real detail;             // a cell is terminal at `detail` pixels
     std::uint32_t cell_cap;  // most cells tested for one ray
+    Method method;
 };
 
 /// Whether the cell's composed linear part is needed for its diameter.

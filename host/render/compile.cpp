@@ -11,6 +11,7 @@
 
 #include "host/fractal/lipschitz.hpp"
 #include "host/render/lifted_fractal.hpp"
+#include "host/render/method.hpp"
 #include "host/render/view.hpp"
 #include "host/render/volumes.hpp"
 #include "host/scene/default_objects.hpp"
@@ -177,7 +178,9 @@ class Compiler {
         set_view(ball_around(objects));
         if (diagnostics_.has_errors()) return {};
         lift_to_pixels(objects);
+        out_.method = chosen_method(render_);
         for (const Placed& object : objects) add_object(object);
+        if (diagnostics_.has_errors()) return {};
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
         out_.detail = render_.detail.value_or(out_.detail);
@@ -191,6 +194,9 @@ class Compiler {
     void make_fractals() {
         for (const IfsBlock& block : scene_.ifs) {
             if (auto fractal = make_fractal(block, diagnostics_)) {
+                if (chosen_method(render_) == kernels::Method::fast) {
+                    require_homotheties(block, fractal->exact, diagnostics_);
+                }
                 fractals_.emplace(block.name, std::move(*fractal));
             }
         }
@@ -251,9 +257,11 @@ class Compiler {
         const Fractal& fractal = *object.fractal;
         const Ball& ball = object.outermost().ball;
         const Frame frame{ball.center, power_of_two_near(ball.radius)};
-        const auto volumes =
-            choose_volumes(*object.block, render_.volume.value_or(VolumeKind::automatic),
-                           fractal.rifs, fractal.bounds, diagnostics_);
+        const auto volumes = choose_volumes(*object.block, volume_kind(render_, *object.block),
+                                            fractal.rifs, fractal.bounds, diagnostics_);
+        if (out_.method == kernels::Method::fast) {
+            require_spheres(*object.block, volumes, diagnostics_);
+        }
         const auto method =
             choose_lipschitz(render_.lipschitz.value_or(LipschitzMethod::automatic), fractal.exact);
         CompiledObject result;

@@ -85,6 +85,7 @@ struct CompiledScene {
     std::vector<CompiledLight> lights;
     CompiledCamera camera;
     kernels::ShadingMode shading = kernels::ShadingMode::constant;
+    kernels::Method method = kernels::Method::heap;
     double detail = 1;
     std::uint32_t cell_cap = 1'000'000;  // most cells tested for one ray
     long heap = 256;

@@ -17,10 +17,11 @@ const std::vector<MeasuredModule> module_table{
     {"heap", 998, 0, 0},
     {"illuminate", 352, 0, 0},
     {"intersect", 678, 4, 0},
+    {"intersect_fast", 2791, 24, 0},
     {"next_after", 1112, 4, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 904, 12, 0},
+    {"pixel_program", 885, 12, 0},
     {"point_light", 51, 0, 0},
     {"polar", 893, 24, 0},
     {"shade", 1442, 4, 0},
@@ -30,23 +31,23 @@ const std::vector<MeasuredModule> module_table{
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {60, 3}},  // 0
+    {"box", "box_normal", 176, {69, 3}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {60, 1}},  // 2
+    {"box", "intersect_box", 112, {69, 1}},  // 2
     {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {57, 60, 41, 40}},  // 4
-    {"descend", "child_cell", 144, {58, 61, 16}},  // 5
-    {"descend", "cell_diameter", 32, {49}},  // 6
-    {"descend", "outermost_cell", 176, {58, 59, 61, 12}},  // 7
-    {"descend", "intersect_volume", 8, {2, 56}},  // 8
+    {"camera", "eye_ray", 96, {66, 69, 50, 49}},  // 4
+    {"descend", "child_cell", 144, {67, 70, 16}},  // 5
+    {"descend", "cell_diameter", 32, {58}},  // 6
+    {"descend", "outermost_cell", 176, {67, 68, 70, 12}},  // 7
+    {"descend", "intersect_volume", 8, {2, 65}},  // 8
     {"descend", "meet", 48, {8, 11}},  // 9
     {"descend", "ending", 48, {6, 14}},  // 10
-    {"descend", "approach", 80, {60, 67}},  // 11
+    {"descend", "approach", 80, {69, 76}},  // 11
     {"descend", "is_polar", 8, {}},  // 12
     {"descend", "map_from", 8, {}},  // 13
     {"descend", "pixel_at", 8, {}},  // 14
-    {"flatness", "undo_squash", 80, {57, 65, 69}},  // 15
-    {"flatness", "keep_thickness", 208, {59, 60, 15, 64, 65, 12, 14, 70}},  // 16
+    {"flatness", "undo_squash", 80, {66, 74, 78}},  // 15
+    {"flatness", "keep_thickness", 208, {68, 69, 15, 73, 74, 12, 14, 79}},  // 16
     {"heap", "cell_words", 8, {}},  // 17
     {"heap", "Heap::pop", 16, {21, 23, 25}},  // 18
     {"heap", "Heap::keep", 8, {28}},  // 19
@@ -60,47 +61,56 @@ const std::vector<MeasuredFunction> function_table{
     {"heap", "before", 8, {}},  // 27
     {"heap", "copy_cell", 32, {17}},  // 28
     {"heap", "move_cell", 8, {28}},  // 29
-    {"illuminate", "illuminate", 128, {57, 60, 46, 65}},  // 30
+    {"illuminate", "illuminate", 128, {66, 69, 55, 74}},  // 30
     {"intersect", "push_objects", 384, {7, 33, 20, 9}},  // 31
-    {"intersect", "push_children", 416, {5, 48, 33, 20, 9, 12}},  // 32
+    {"intersect", "push_children", 416, {5, 57, 33, 20, 9, 12}},  // 32
     {"intersect", "Cell::Cell", 8, {}},  // 33
-    {"intersect", "intersect", 64, {35, 31, 32, 33, 18, 10}},  // 34
-    {"next_after", "next_after", 448, {7, 36, 23, 9, 27, 10, 37, 38, 13, 29, 39}},  // 35
-    {"next_after", "Cell::Cell", 8, {}},  // 36
-    {"next_after", "CellPath::make_again", 688, {5, 48, 36, 23, 9, 12, 13, 29, 39}},  // 37
-    {"next_after", "CellPath::down", 368, {5, 48, 36, 19, 9, 12, 29}},  // 38
-    {"next_after", "CellWord::get", 8, {}},  // 39
-    {"orthographic", "orthographic_ray", 32, {57, 60}},  // 40
-    {"perspective", "perspective_ray", 16, {70}},  // 41
-    {"pixel_program", "PixelStore::byte", 8, {}},  // 42
-    {"pixel_program", "render_pixel", 448, {57, 30, 50, 4, 34}},  // 43
-    {"pixel_program", "pixel_program", 896, {42, 43, 45, 26}},  // 44
-    {"pixel_program", "read_frame_constants", 16, {60}},  // 45
-    {"point_light", "direction_to_point_light", 80, {69, 70}},  // 46
-    {"polar", "jacobi_rotate", 8, {}},  // 47
-    {"polar", "complete_child", 144, {59, 68}},  // 48
-    {"polar", "largest_singular_value", 128, {47, 65, 66}},  // 49
-    {"shade", "surface_at", 928, {57, 5, 51, 52, 59, 60, 6, 48, 7, 8, 65, 54, 66, 68, 11, 12, 13, 29, 70}},  // 50
-    {"shade", "TotalNormal::add", 48, {57}},  // 51
-    {"shade", "cell_normal", 96, {53, 63, 70}},  // 52
-    {"shade", "volume_normal", 8, {0, 55}},  // 53
-    {"shade", "Cell::Cell", 8, {}},  // 54
-    {"sphere", "sphere_normal", 96, {57, 60, 69}},  // 55
-    {"sphere", "intersect_sphere", 112, {60, 65, 69}},  // 56
-    {"vectors", "add_scaled", 8, {}},  // 57
-    {"vectors", "read_affine", 96, {59, 60}},  // 58
-    {"vectors", "read_linear", 32, {60}},  // 59
-    {"vectors", "read_vector", 8, {}},  // 60
-    {"vectors", "transform_ray", 48, {62, 64}},  // 61
-    {"vectors", "transform_point", 8, {}},  // 62
-    {"vectors", "transform_normal", 64, {65}},  // 63
-    {"vectors", "transform_direction", 8, {}},  // 64
-    {"vectors", "dot", 8, {}},  // 65
-    {"vectors", "scale", 8, {}},  // 66
-    {"vectors", "rebase", 80, {57, 65, 69}},  // 67
-    {"vectors", "compose", 48, {64}},  // 68
-    {"vectors", "subtract", 8, {}},  // 69
-    {"vectors", "normalize", 64, {65, 66}},  // 70
+    {"intersect", "intersect", 64, {44, 31, 32, 33, 18, 10}},  // 34
+    {"intersect_fast", "project_ray", 192, {67, 69, 70, 74, 76, 78, 79}},  // 35
+    {"intersect_fast", "include_point", 8, {}},  // 36
+    {"intersect_fast", "project_child", 128, {66, 69, 74, 78}},  // 37
+    {"intersect_fast", "search_object", 400, {35, 36, 39, 41, 42, 43}},  // 38
+    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 39
+    {"intersect_fast", "intersect_fast", 400, {38, 34}},  // 40
+    {"intersect_fast", "push_projected", 128, {69, 36, 37, 39}},  // 41
+    {"intersect_fast", "ending", 48, {14}},  // 42
+    {"intersect_fast", "as_cell", 128, {68, 75, 12}},  // 43
+    {"next_after", "next_after", 448, {7, 45, 23, 9, 27, 10, 46, 47, 13, 29, 48}},  // 44
+    {"next_after", "Cell::Cell", 8, {}},  // 45
+    {"next_after", "CellPath::make_again", 688, {5, 57, 45, 23, 9, 12, 13, 29, 48}},  // 46
+    {"next_after", "CellPath::down", 368, {5, 57, 45, 19, 9, 12, 29}},  // 47
+    {"next_after", "CellWord::get", 8, {}},  // 48
+    {"orthographic", "orthographic_ray", 32, {66, 69}},  // 49
+    {"perspective", "perspective_ray", 16, {79}},  // 50
+    {"pixel_program", "PixelStore::byte", 8, {}},  // 51
+    {"pixel_program", "render_pixel", 416, {66, 30, 59, 40, 4, 34}},  // 52
+    {"pixel_program", "pixel_program", 896, {51, 52, 54, 26}},  // 53
+    {"pixel_program", "read_frame_constants", 16, {69}},  // 54
+    {"point_light", "direction_to_point_light", 80, {78, 79}},  // 55
+    {"polar", "jacobi_rotate", 8, {}},  // 56
+    {"polar", "complete_child", 144, {68, 77}},  // 57
+    {"polar", "largest_singular_value", 128, {56, 74, 75}},  // 58
+    {"shade", "surface_at", 928, {66, 5, 60, 61, 68, 69, 6, 57, 7, 8, 74, 63, 75, 77, 11, 12, 13, 29, 79}},  // 59
+    {"shade", "TotalNormal::add", 48, {66}},  // 60
+    {"shade", "cell_normal", 96, {62, 72, 79}},  // 61
+    {"shade", "volume_normal", 8, {0, 64}},  // 62
+    {"shade", "Cell::Cell", 8, {}},  // 63
+    {"sphere", "sphere_normal", 96, {66, 69, 78}},  // 64
+    {"sphere", "intersect_sphere", 112, {69, 74, 78}},  // 65
+    {"vectors", "add_scaled", 8, {}},  // 66
+    {"vectors", "read_affine", 96, {68, 69}},  // 67
+    {"vectors", "read_linear", 32, {69}},  // 68
+    {"vectors", "read_vector", 8, {}},  // 69
+    {"vectors", "transform_ray", 48, {71, 73}},  // 70
+    {"vectors", "transform_point", 8, {}},  // 71
+    {"vectors", "transform_normal", 64, {74}},  // 72
+    {"vectors", "transform_direction", 8, {}},  // 73
+    {"vectors", "dot", 8, {}},  // 74
+    {"vectors", "scale", 8, {}},  // 75
+    {"vectors", "rebase", 80, {66, 74, 78}},  // 76
+    {"vectors", "compose", 48, {73}},  // 77
+    {"vectors", "subtract", 8, {}},  // 78
+    {"vectors", "normalize", 64, {74, 75}},  // 79
 };
 // clang-format on
 
