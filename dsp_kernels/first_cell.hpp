@@ -12,7 +12,7 @@ namespace pxm::kernels {
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] SearchResult<Real> first_cell(Node& node, const Search<Real>& search,
                                             Heap<Node>& heap, SearchCounts& counts) noexcept {
-    node.tally(Operation::integer, 1);
+    // Not counted: only one of the two is linked into a node's program.
     if (search.method == Method::fast) return intersect_fast(node, search, heap, counts);
     return intersect(node, search, heap, counts);
 }

@@ -90,10 +90,9 @@ void as_cell(Node& node, const ProjectedRay<Real>& ray, const ProjectedCell<Real
     using Object = ObjectRecord<real_words<Real>>;
     node.tally(Operation::integer, 9U + CellWord::used(cell.level, ray.bits));
     node.tally(Operation::multiply_add, 1);
-    node.tally(Operation::select, 1);
     result.key = cell.key;
     result.exit = cell.exit;
-    result.constant = ray.constant * absolute(cell.scale);
+    result.constant = ray.constant * cell.scale;
     if (is_polar(node, ray.object)) {
         const Real over = node.shape_real(ray.object + Object::constant);
         node.tally(Operation::divide, 1);

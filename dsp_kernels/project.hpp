@@ -26,7 +26,7 @@ struct ProjectedCell {
     Real x{};  // where the ray lies in the disc, from its centre
     Real y{};
     Real t{};      // the ray's parameter at the centre
-    Real scale{};  // of the ray's parameter for a unit of the cell; negative where mirrored
+    Real scale{};  // of the ray's parameter for a unit of the cell
     Real key{};    // the ray's interval, Erratum 3
     Real exit{};
     std::uint32_t follow_set = 0;  // address
@@ -70,8 +70,8 @@ template <NodeLike Node, class Real = typename Node::Real>
     if (half_chord2 < Real(0)) return false;
     node.tally(Operation::square_root, 1);
     node.tally(Operation::multiply_add, 3);
-    node.tally(Operation::select, 3);
-    const Real half = square_root(half_chord2) * absolute(cell.scale);
+    node.tally(Operation::select, 2);
+    const Real half = square_root(half_chord2) * cell.scale;
     const Real entry = cell.t - half;
     const Real exit = cell.t + half;
     cell.key = from < entry ? entry : from;
@@ -145,11 +145,10 @@ template <NodeLike Node, class Real = typename Node::Real>
     node.tally(Operation::integer, 4);
     if (cell.level == node.shape_word(ray.object + Object::levels)) return Ending::terminal;
     node.tally(Operation::multiply_add, 3);
-    node.tally(Operation::select, 1);
     node.tally(Operation::compare_branch, 1);
     const Real p = pixel_at(node, search, ray.object, cell.key);
-    const Real diameter = ray.constant * absolute(cell.scale) *
-                          node.shape_real(cell.follow_set + FollowSet::diameter);
+    const Real diameter =
+        ray.constant * cell.scale * node.shape_real(cell.follow_set + FollowSet::diameter);
     if (!(search.detail * p < diameter)) return Ending::terminal;
     if (cell.level >= CellWord::longest(ray.bits)) return Ending::word_full;
     return Ending::goes_on;

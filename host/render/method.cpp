@@ -35,6 +35,7 @@ void require_homotheties(const IfsBlock& block, const Rifs& rifs, Diagnostics& d
             fmt::format("intersect: fast takes maps that scale uniformly and translate; map \"{}\" "
                         "of ifs \"{}\" does more",
                         rifs.map_names[i], block.name));
+        return;
     }
 }
 

@@ -16,8 +16,8 @@ namespace pxm::host {
 /// The kind of volumes of an object: where none is asked for, Ch. 13 takes spheres.
 [[nodiscard]] VolumeKind volume_kind(const RenderBlock& render, const ObjectBlock& object);
 
-/// Ch. 13 holds for maps that scale uniformly and translate (Erratum 10): every other map of the
-/// system is an error.
+/// Ch. 13 holds for maps that scale uniformly and translate (Erratum 10): the first map of the
+/// system that does more is an error.
 void require_homotheties(const IfsBlock& block, const Rifs& rifs, Diagnostics& diagnostics);
 
 /// Ch. 13 projects spheres: other volumes are an error.

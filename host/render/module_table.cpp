@@ -17,7 +17,7 @@ const std::vector<MeasuredModule> module_table{
     {"heap", 998, 0, 0},
     {"illuminate", 352, 0, 0},
     {"intersect", 678, 4, 0},
-    {"intersect_fast", 2791, 24, 0},
+    {"intersect_fast", 2735, 24, 0},
     {"next_after", 1112, 4, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
