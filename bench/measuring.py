@@ -2,6 +2,8 @@
 alternation, medians, tables."""
 import json, os, statistics, subprocess, sys
 
+sys.dont_write_bytecode = True
+
 TOP = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 

@@ -3,11 +3,10 @@
 //
 //   bench_embree DESCRIPTION THREADS K (sphere|hull) (eye|shadow) (1|8) [DEPTHS]
 //
-// prints `seconds hits setup_seconds peak_megabytes cells instances`; exits with 3 if K does not
+// prints `seconds hits setup_seconds cells instances`; exits with 3 if K does not
 // suit the scene. `shadow`: a ray to pxm's default light from every hit.
 #include <embree3/rtcore.h>
 #include <omp.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <cstring>
@@ -234,10 +233,7 @@ int run(int count, char** values) {
         }
     }
     const double seconds = seconds_since(render_start);
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    std::printf("%.6f %ld %.3f %ld %zu %zu\n", seconds, hits, setup, usage.ru_maxrss / 1024,
-                cells.size(), upper.size());
+    std::printf("%.6f %ld %.3f %zu %zu\n", seconds, hits, setup, cells.size(), upper.size());
     if (count > 7) {
         std::ofstream out(values[7], std::ios::binary);
         out.write(reinterpret_cast<const char*>(depths.data()),
