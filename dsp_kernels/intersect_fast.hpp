@@ -167,13 +167,14 @@ enum class FastEnd { searched, capped, no_room };
 /// The smallest terminal cell of an object if it is smaller than the one in `best`.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] FastEnd search_object(Node& node, const Search<Real>& search, std::uint32_t object,
-                                    SearchResult<Real>& best, SearchCounts& counts) noexcept {
+                                    std::uint64_t most_volumes, SearchResult<Real>& best,
+                                    SearchCounts& counts) noexcept {
     node.tally(Operation::call, 1);
     CellWord word;  // of the cell last opened
     ProjectedCell<Real> cell;
     const ProjectedRay<Real> ray = project_ray(node, search, object, cell);
     ++counts.volumes_tested;
-    const bool met = include_point(node, cell, Real(0), from_double<Real>(1e30));
+    const bool met = include_point(node, cell, search.start, search.end);
     watch_projected(node, met ? CellEvent::met : CellEvent::missed, ray, cell, word);
     if (!met) return FastEnd::searched;
     ProjectedStack<Node> stack(node);
@@ -185,7 +186,7 @@ template <NodeLike Node, class Real = typename Node::Real>
         if (cell.level > 0) word.set(cell.level - 1, ray.bits, cell.symbol);
         if (!is_promising(node, ray, cell, word, best)) continue;
         const Ending end = ending(node, search, ray, cell);
-        const bool capped = end == Ending::word_full || counts.volumes_tested >= search.cell_cap;
+        const bool capped = end == Ending::word_full || counts.volumes_tested >= most_volumes;
         if (end == Ending::terminal || (capped && best.outcome == Outcome::miss)) {
             as_cell(node, ray, cell, word, best.cell);
             best.outcome = Outcome::hit;
@@ -209,13 +210,15 @@ template <NodeLike Node, class Real = typename Node::Real>
     using Object = ObjectRecord<real_words<Real>>;
     node.tally(Operation::call, 1);
     SearchResult<Real> result;
+    const std::uint64_t most_volumes = counts.volumes_tested + search.cell_cap;
     std::uint32_t object = node.shape_word(Header::objects);
     for (std::uint32_t left = node.shape_word(Header::object_count); left > 0; --left) {
         node.tally(Operation::loop_turn, 1);
-        const FastEnd end = search_object(node, search, object, result, counts);
+        const FastEnd end = search_object(node, search, object, most_volumes, result, counts);
         if (end == FastEnd::no_room) return intersect(node, search, heap, counts);
         if (end == FastEnd::capped) {
             result.outcome = Outcome::capped;
+            ++counts.capped;
             break;
         }
         object += Object::words;

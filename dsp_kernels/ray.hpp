@@ -23,6 +23,13 @@ struct Interval {
     Real exit;
 };
 
+/// The point at parameter t.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Vec3<Real> point_at(Node& node, const Ray<Real>& ray, Real t) noexcept {
+    node.tally(Operation::multiply_add, 1);
+    return add_scaled(node, ray.origin, t - ray.base, ray.direction);
+}
+
 /// The ray in the coordinates of a master object: R(o M^-1, d M^-1), Eq. 12.3.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Ray<Real> transform_ray(Node& node, const Ray<Real>& ray,

@@ -89,6 +89,47 @@ template <NodeLike Node, class Real = typename Node::Real>
     return intersect_box(node, ray, follow_set);
 }
 
+/// How many times a sphere must grow about its centre to reach a point.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Real sphere_gauge(Node& node, const Vec3<Real>& from_center,
+                                std::uint32_t follow_set) noexcept {
+    using FollowSet = FollowSetRecord<real_words<Real>>;
+    node.tally(Operation::square_root, 1);
+    node.tally(Operation::divide, 1);
+    return square_root(dot(node, from_center, from_center)) /
+           node.shape_real(follow_set + FollowSet::radius);
+}
+
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Real box_gauge(Node& node, const Vec3<Real>& from_center,
+                             std::uint32_t follow_set) noexcept {
+    using FollowSet = FollowSetRecord<real_words<Real>>;
+    const Vec3<Real> low = read_vector(node, follow_set + FollowSet::low);
+    const Vec3<Real> size = subtract(node, read_vector(node, follow_set + FollowSet::high), low);
+    node.tally(Operation::divide, 3);
+    node.tally(Operation::select, 5);
+    node.tally(Operation::multiply_add, 1);
+    const Real x = absolute(from_center.x) / size.x;
+    const Real y = absolute(from_center.y) / size.y;
+    const Real z = absolute(from_center.z) / size.z;
+    const Real largest = x < y ? (y < z ? z : y) : (x < z ? z : x);
+    return largest + largest;
+}
+
+/// How many times the volume of a follow set must grow about its centre to reach a point: at most 1
+/// inside.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Real volume_gauge(Node& node, const Vec3<Real>& point,
+                                std::uint32_t follow_set) noexcept {
+    using FollowSet = FollowSetRecord<real_words<Real>>;
+    const auto kind = static_cast<Volume>(node.shape_word(follow_set + FollowSet::volume));
+    const Vec3<Real> from_center =
+        subtract(node, point, read_vector(node, follow_set + FollowSet::center));
+    node.tally(Operation::integer, 1);
+    if (kind == Volume::sphere) return sphere_gauge(node, from_center, follow_set);
+    return box_gauge(node, from_center, follow_set);
+}
+
 /// Which end of a ray's interval in a volume.
 enum class Side { entry, exit };
 

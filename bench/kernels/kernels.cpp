@@ -47,11 +47,11 @@ class Bench {
         frame = read_frame_constants(node);
         object = node.shape_word(Header::objects);
         for (std::uint32_t y = 0; y < 16; ++y) {
-            for (std::uint32_t x = 0; x < 16; ++x) rays.push_back(eye_ray(node, x, y));
+            for (std::uint32_t x = 0; x < 16; ++x) rays.push_back(eye_ray(node, x, y, 0));
         }
         frame.search.ray = rays[120];
         outermost_cell(node, frame.search, object, cell);
-        (void)meet(node, cell, Real(0), from_double<Real>(1e30));
+        (void)meet(node, frame.search, cell, Real(0), far_away<Real>);
         const Vec3<Real> center = read_vector(node, cell.follow_set + FollowSet::center);
         const AffineMap<Real> back = read_affine(node, object + Object::inverse);
         for (const Ray<Real>& ray : rays) {
@@ -144,7 +144,8 @@ void child_of_heap(benchmark::State& state) {
     Cell<Real> child;
     for (auto _ : state) {
         child_cell(bench.node, bench.frame.search, bench.cell, bench.next_map(), child);
-        benchmark::DoNotOptimize(meet(bench.node, child, bench.cell.key, bench.cell.exit));
+        benchmark::DoNotOptimize(
+            meet(bench.node, bench.frame.search, child, bench.cell.key, bench.cell.exit));
     }
 }
 
@@ -153,7 +154,7 @@ void child_of_fast(benchmark::State& state) {
     Bench<Real> bench(host::VolumeKind::sphere);
     ProjectedCell<Real> cell;
     const auto ray = project_ray(bench.node, bench.frame.search, bench.object, cell);
-    (void)include_point(bench.node, cell, Real(0), from_double<Real>(1e30));
+    (void)include_point(bench.node, cell, Real(0), far_away<Real>);
     const Vec3<Real> center =
         read_vector(bench.node, cell.follow_set + Bench<Real>::FollowSet::center);
     for (auto _ : state) {
@@ -198,7 +199,7 @@ template <class Real>
 void ray_of_the_eye(benchmark::State& state) {
     Bench<Real> bench(host::VolumeKind::sphere);
     std::uint32_t x = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(eye_ray(bench.node, ++x % 16, 7));
+    for (auto _ : state) benchmark::DoNotOptimize(eye_ray(bench.node, ++x % 16, 7, 0));
 }
 
 template <class Real, Method method>
@@ -225,9 +226,9 @@ void shade_of_a_hit(benchmark::State& state) {
         bench.frame.search.ray = bench.next_ray();
         found = first_cell(bench.node, bench.frame.search, bench.heap, counts);
     }
+    const Sighting<Real> seen{bench.frame.search, found.cell, 0};
     for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            surface_at(bench.node, bench.frame.search, found.cell, ShadingMode::constant));
+        benchmark::DoNotOptimize(surface_at(bench.node, seen, ShadingMode::constant));
     }
 }
 

@@ -6,7 +6,7 @@
 namespace pxm::kernels {
 
 template void approach(Node&, Cell<float>&) noexcept;
-template bool meet(Node&, Cell<float>&, float, float) noexcept;
+template bool meet(Node&, const Search<float>&, Cell<float>&, float, float) noexcept;
 template void outermost_cell(Node&, const Search<float>&, std::uint32_t, Cell<float>&) noexcept;
 template void child_cell(Node&, const Search<float>&, const Cell<float>&, std::uint32_t,
                          Cell<float>&) noexcept;

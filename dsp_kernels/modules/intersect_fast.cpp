@@ -16,8 +16,8 @@ template void as_cell(Node&, const ProjectedRay<float>&, const ProjectedCell<flo
                       const CellWord&, Cell<float>&) noexcept;
 template bool push_projected(Node&, const ProjectedRay<float>&, const ProjectedCell<float>&,
                              const CellWord&, ProjectedStack<Node>&, SearchCounts&) noexcept;
-template FastEnd search_object(Node&, const Search<float>&, std::uint32_t, SearchResult<float>&,
-                               SearchCounts&) noexcept;
+template FastEnd search_object(Node&, const Search<float>&, std::uint32_t, std::uint64_t,
+                               SearchResult<float>&, SearchCounts&) noexcept;
 template SearchResult<float> intersect_fast(Node&, const Search<float>&, Heap<Node>&,
                                             SearchCounts&) noexcept;
 

@@ -11,7 +11,9 @@
 
 #include "host/fractal/lipschitz.hpp"
 #include "host/render/lifted_fractal.hpp"
+#include "host/render/lights.hpp"
 #include "host/render/method.hpp"
+#include "host/render/samples.hpp"
 #include "host/render/view.hpp"
 #include "host/render/volumes.hpp"
 #include "host/scene/default_objects.hpp"
@@ -102,9 +104,22 @@ CompiledVolume to_shape(const CompiledVolume& volume, const Frame& frame) {
     return result;
 }
 
+/// For every map the diameter of the largest volume that it may stand in.
+std::vector<double> diameters_around(const Rifs& rifs, const std::vector<CompiledVolume>& volumes) {
+    std::vector<double> around(rifs.maps.size(), 0);
+    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
+        for (const int map : rifs.follow_sets[s].maps) {
+            double& largest = around[static_cast<std::size_t>(map)];
+            largest = std::max(largest, volumes[s].diameter);
+        }
+    }
+    return around;
+}
+
 CompiledShape make_shape(const IfsBlock& block, const Fractal& fractal, const Frame& frame,
                          const std::vector<CompiledVolume>& volumes, kernels::Lipschitz method) {
     const Rifs& rifs = fractal.rifs;
+    const std::vector<double> around = diameters_around(rifs, volumes);
     CompiledShape shape;
     shape.ifs = block.name;
     shape.map_names = rifs.map_names;
@@ -118,32 +133,14 @@ CompiledShape make_shape(const IfsBlock& block, const Fractal& fractal, const Fr
         const Affine& map = rifs.maps[i];
         shape.maps.push_back({{map.linear, (map.point(frame.center) - frame.center) / frame.scale},
                               constant_by(method, map),
+                              smallest_singular_value(map) *
+                                  volumes[static_cast<std::size_t>(rifs.follow_of[i])].diameter /
+                                  around[i],
                               block.maps[i].color.value_or(glm::dvec4{0.0}),
                               rifs.follow_of[i],
                               lost_axes(fractal.exact.maps[i])});
     }
     return shape;
-}
-
-std::vector<CompiledLight> compile_lights(const Scene& scene, const glm::dvec3& eye, double unit) {
-    std::vector<LightBlock> lights = scene.lights;
-    if (lights.empty()) {
-        lights.emplace_back();
-        lights.back().direction = glm::dvec3{0.5, 1, -0.7};
-    }
-    std::vector<CompiledLight> compiled;
-    for (const LightBlock& light : lights) {
-        CompiledLight result;
-        result.color = light.color.value_or(glm::dvec3{1.0});
-        if (light.location) {
-            result.kind = kernels::LightKind::point;
-            result.place = (*light.location - eye) / unit;
-        } else {
-            result.place = glm::normalize(*light.direction);
-        }
-        compiled.push_back(result);
-    }
-    return compiled;
 }
 
 kernels::ShadingMode shading_mode(Shading shading) {
@@ -180,10 +177,10 @@ class Compiler {
         lift_to_pixels(objects);
         out_.method = chosen_method(render_);
         for (const Placed& object : objects) add_object(object);
-        if (diagnostics_.has_errors()) return {};
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
-        out_.detail = render_.detail.value_or(out_.detail);
+        set_sampling();
+        if (out_.method == kernels::Method::fast) require_solid(render_, out_, diagnostics_);
         out_.heap = render_.heap.value_or(out_.heap);
         out_.ambient = render_.ambient.value_or(out_.ambient);
         out_.background = render_.background.value_or(out_.background);
@@ -234,6 +231,21 @@ class Compiler {
         out_.camera = compile_view(view_, out_.size, out_.unit);
     }
 
+    void set_sampling() {
+        out_.detail = render_.detail.value_or(out_.detail);
+        out_.fade = out_.detail;
+        if (const auto* covers = render_.covers ? std::get_if<Covers>(&*render_.covers) : nullptr) {
+            out_.fade = out_.detail * covers->tau_max;
+            out_.detail *= covers->tau_min;
+            out_.covers = true;
+        }
+        out_.bounces = render_.bounces.value_or(out_.bounces);
+        out_.samples = sample_places(render_.samples.value_or(1));
+        const double finer = std::sqrt(static_cast<double>(out_.samples.size()));
+        out_.camera.pixel_at_eye /= finer;
+        out_.camera.pixel_growth /= finer;
+    }
+
     /// Gives flat images the thickness of a pixel, as seen at the nearest object of the ifs: a ray
     /// a pixel does not miss them edge on.
     void lift_to_pixels(const std::vector<Placed>& objects) {
@@ -276,6 +288,8 @@ class Compiler {
         const glm::dvec4 paint = object.block->color.value_or(glm::dvec4{0.0});
         result.color = base_color * (1 - paint.a) + glm::dvec3{paint} * paint.a;
         result.diffuse = object.block->diffuse.value_or(0.8);
+        result.opacity = object.block->opacity.value_or(1);
+        result.reflect = object.block->reflect.value_or(0);
         if (object.block->levels) {
             result.levels = static_cast<std::uint32_t>(
                 std::min<long>(*object.block->levels, kernels::unlimited_levels - 1));

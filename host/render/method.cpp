@@ -39,6 +39,14 @@ void require_homotheties(const IfsBlock& block, const Rifs& rifs, Diagnostics& d
     }
 }
 
+void require_solid(const RenderBlock& render, const CompiledScene& scene,
+                   Diagnostics& diagnostics) {
+    if (!needs_covers(scene)) return;
+    diagnostics.error(render.intersect_position,
+                      "intersect: fast finds the first cell along a ray; local covers and "
+                      "translucent objects take the cells behind it too");
+}
+
 void require_spheres(const ObjectBlock& object, const std::vector<CompiledVolume>& volumes,
                      Diagnostics& diagnostics) {
     const bool spheres = std::ranges::all_of(volumes, [](const CompiledVolume& volume) {

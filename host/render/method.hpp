@@ -20,6 +20,9 @@ namespace pxm::host {
 /// system that does more is an error.
 void require_homotheties(const IfsBlock& block, const Rifs& rifs, Diagnostics& diagnostics);
 
+/// Ch. 13 finds the first cell and no other: local covers and translucent objects are an error.
+void require_solid(const RenderBlock& render, const CompiledScene& scene, Diagnostics& diagnostics);
+
 /// Ch. 13 projects spheres: other volumes are an error.
 void require_spheres(const ObjectBlock& object, const std::vector<CompiledVolume>& volumes,
                      Diagnostics& diagnostics);

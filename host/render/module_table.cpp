@@ -11,106 +11,147 @@ const std::string_view module_table_compiler = "g++ 12.2.0 x86-64";
 const std::vector<MeasuredModule> module_table{
     // name, program, read-only data, other data; bytes
     {"box", 811, 36, 0},
-    {"camera", 268, 4, 0},
-    {"descend", 1055, 4, 0},
+    {"camera", 294, 0, 0},
+    {"covers", 4198, 28, 0},
+    {"descend", 1144, 4, 0},
     {"flatness", 959, 24, 0},
     {"heap", 998, 0, 0},
-    {"illuminate", 352, 0, 0},
-    {"intersect", 678, 4, 0},
-    {"intersect_fast", 2735, 24, 0},
-    {"next_after", 1112, 4, 0},
+    {"illuminate", 20, 0, 0},
+    {"intersect", 776, 0, 0},
+    {"intersect_fast", 2777, 20, 0},
+    {"mirror", 221, 16, 0},
+    {"next_after", 1244, 4, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 885, 12, 0},
-    {"point_light", 51, 0, 0},
+    {"pixel_program", 139, 0, 0},
+    {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
-    {"shade", 1442, 4, 0},
+    {"shade", 1759, 20, 0},
+    {"shadow", 83, 0, 0},
+    {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
-    {"vectors", 1302, 20, 0},
+    {"trace", 1656, 12, 0},
+    {"trace_all", 2824, 20, 0},
+    {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {69, 3}},  // 0
+    {"box", "box_normal", 176, {103, 3}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {69, 1}},  // 2
+    {"box", "intersect_box", 112, {103, 1}},  // 2
     {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {66, 69, 50, 49}},  // 4
-    {"descend", "child_cell", 144, {67, 70, 16}},  // 5
-    {"descend", "cell_diameter", 32, {58}},  // 6
-    {"descend", "outermost_cell", 176, {67, 68, 70, 12}},  // 7
-    {"descend", "intersect_volume", 8, {2, 65}},  // 8
-    {"descend", "meet", 48, {8, 11}},  // 9
-    {"descend", "ending", 48, {6, 14}},  // 10
-    {"descend", "approach", 80, {69, 76}},  // 11
-    {"descend", "is_polar", 8, {}},  // 12
-    {"descend", "map_from", 8, {}},  // 13
-    {"descend", "pixel_at", 8, {}},  // 14
-    {"flatness", "undo_squash", 80, {66, 74, 78}},  // 15
-    {"flatness", "keep_thickness", 208, {68, 69, 15, 73, 74, 12, 14, 79}},  // 16
-    {"heap", "cell_words", 8, {}},  // 17
-    {"heap", "Heap::pop", 16, {21, 23, 25}},  // 18
-    {"heap", "Heap::keep", 8, {28}},  // 19
-    {"heap", "Heap::push", 80, {19, 22, 24, 27, 28}},  // 20
-    {"heap", "Heap::swap", 8, {}},  // 21
-    {"heap", "Heap::entry", 8, {}},  // 22
-    {"heap", "Heap::fetch", 8, {28}},  // 23
-    {"heap", "Heap::sift_up", 48, {21, 22, 27}},  // 24
-    {"heap", "Heap::sift_down", 80, {21, 22, 27}},  // 25
-    {"heap", "Heap::Heap", 8, {}},  // 26
-    {"heap", "before", 8, {}},  // 27
-    {"heap", "copy_cell", 32, {17}},  // 28
-    {"heap", "move_cell", 8, {28}},  // 29
-    {"illuminate", "illuminate", 128, {66, 69, 55, 74}},  // 30
-    {"intersect", "push_objects", 384, {7, 33, 20, 9}},  // 31
-    {"intersect", "push_children", 416, {5, 57, 33, 20, 9, 12}},  // 32
-    {"intersect", "Cell::Cell", 8, {}},  // 33
-    {"intersect", "intersect", 64, {44, 31, 32, 33, 18, 10}},  // 34
-    {"intersect_fast", "project_ray", 192, {67, 69, 70, 74, 76, 78, 79}},  // 35
-    {"intersect_fast", "include_point", 8, {}},  // 36
-    {"intersect_fast", "project_child", 128, {66, 69, 74, 78}},  // 37
-    {"intersect_fast", "search_object", 400, {35, 36, 39, 41, 42, 43}},  // 38
-    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 39
-    {"intersect_fast", "intersect_fast", 400, {38, 34}},  // 40
-    {"intersect_fast", "push_projected", 128, {69, 36, 37, 39}},  // 41
-    {"intersect_fast", "ending", 48, {14}},  // 42
-    {"intersect_fast", "as_cell", 128, {68, 75, 12}},  // 43
-    {"next_after", "next_after", 448, {7, 45, 23, 9, 27, 10, 46, 47, 13, 29, 48}},  // 44
-    {"next_after", "Cell::Cell", 8, {}},  // 45
-    {"next_after", "CellPath::make_again", 688, {5, 57, 45, 23, 9, 12, 13, 29, 48}},  // 46
-    {"next_after", "CellPath::down", 368, {5, 57, 45, 19, 9, 12, 29}},  // 47
-    {"next_after", "CellWord::get", 8, {}},  // 48
-    {"orthographic", "orthographic_ray", 32, {66, 69}},  // 49
-    {"perspective", "perspective_ray", 16, {79}},  // 50
-    {"pixel_program", "PixelStore::byte", 8, {}},  // 51
-    {"pixel_program", "render_pixel", 416, {66, 30, 59, 40, 4, 34}},  // 52
-    {"pixel_program", "pixel_program", 896, {51, 52, 54, 26}},  // 53
-    {"pixel_program", "read_frame_constants", 16, {69}},  // 54
-    {"point_light", "direction_to_point_light", 80, {78, 79}},  // 55
-    {"polar", "jacobi_rotate", 8, {}},  // 56
-    {"polar", "complete_child", 144, {68, 77}},  // 57
-    {"polar", "largest_singular_value", 128, {56, 74, 75}},  // 58
-    {"shade", "surface_at", 928, {66, 5, 60, 61, 68, 69, 6, 57, 7, 8, 74, 63, 75, 77, 11, 12, 13, 29, 79}},  // 59
-    {"shade", "TotalNormal::add", 48, {66}},  // 60
-    {"shade", "cell_normal", 96, {62, 72, 79}},  // 61
-    {"shade", "volume_normal", 8, {0, 64}},  // 62
-    {"shade", "Cell::Cell", 8, {}},  // 63
-    {"sphere", "sphere_normal", 96, {66, 69, 78}},  // 64
-    {"sphere", "intersect_sphere", 112, {69, 74, 78}},  // 65
-    {"vectors", "add_scaled", 8, {}},  // 66
-    {"vectors", "read_affine", 96, {68, 69}},  // 67
-    {"vectors", "read_linear", 32, {69}},  // 68
-    {"vectors", "read_vector", 8, {}},  // 69
-    {"vectors", "transform_ray", 48, {71, 73}},  // 70
-    {"vectors", "transform_point", 8, {}},  // 71
-    {"vectors", "transform_normal", 64, {74}},  // 72
-    {"vectors", "transform_direction", 8, {}},  // 73
-    {"vectors", "dot", 8, {}},  // 74
-    {"vectors", "scale", 8, {}},  // 75
-    {"vectors", "rebase", 80, {66, 74, 78}},  // 76
-    {"vectors", "compose", 48, {73}},  // 77
-    {"vectors", "subtract", 8, {}},  // 78
-    {"vectors", "normalize", 64, {74, 75}},  // 79
+    {"camera", "eye_ray", 96, {100, 103, 69, 68}},  // 4
+    {"covers", "next_after", 432, {13, 42, 25, 64, 65, 66, 28, 44, 17}},  // 5
+    {"covers", "covers_along", 768, {46, 5, 13, 44, 14, 18}},  // 6
+    {"covers", "covers_along", 768, {46, 5, 13, 44, 15, 19}},  // 7
+    {"covers", "volume_gauge", 96, {103, 108, 113}},  // 8
+    {"covers", "MissedChildren::shown", 8, {}},  // 9
+    {"covers", "MissedChildren::missed", 48, {8, 21, 76, 27}},  // 10
+    {"covers", "shrunk_for_covers", 96, {100, 103, 109, 29, 113}},  // 11
+    {"covers", "push_children_and_cover", 480, {20, 9, 10, 76, 13, 35, 24, 27}},  // 12
+    {"covers", "Cell::Cell", 8, {}},  // 13
+    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 16, 18}},  // 14
+    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 19}},  // 15
+    {"covers", "CollectCovers::operator", 32, {44}},  // 16
+    {"covers", "CoverRule::operator", 464, {20, 21, 9, 10, 13, 24, 29}},  // 17
+    {"covers", "CoverWalk::tell", 32, {42, 16}},  // 18
+    {"covers", "CoverWalk::tell", 32, {42}},  // 19
+    {"descend", "child_cell", 144, {101, 104, 31}},  // 20
+    {"descend", "cell_diameter", 32, {77}},  // 21
+    {"descend", "outermost_cell", 176, {101, 102, 104, 27}},  // 22
+    {"descend", "intersect_volume", 8, {2, 90}},  // 23
+    {"descend", "meet", 112, {23, 11, 26}},  // 24
+    {"descend", "ending", 48, {21, 29}},  // 25
+    {"descend", "approach", 80, {103, 110}},  // 26
+    {"descend", "is_polar", 8, {}},  // 27
+    {"descend", "map_from", 8, {}},  // 28
+    {"descend", "pixel_at", 8, {}},  // 29
+    {"flatness", "undo_squash", 80, {100, 108, 113}},  // 30
+    {"flatness", "keep_thickness", 208, {102, 103, 30, 107, 108, 27, 29, 114}},  // 31
+    {"heap", "cell_words", 8, {}},  // 32
+    {"heap", "Heap::pop", 16, {36, 38, 40}},  // 33
+    {"heap", "Heap::keep", 8, {43}},  // 34
+    {"heap", "Heap::push", 80, {34, 37, 39, 42, 43}},  // 35
+    {"heap", "Heap::swap", 8, {}},  // 36
+    {"heap", "Heap::entry", 8, {}},  // 37
+    {"heap", "Heap::fetch", 8, {43}},  // 38
+    {"heap", "Heap::sift_up", 48, {36, 37, 42}},  // 39
+    {"heap", "Heap::sift_down", 80, {36, 37, 42}},  // 40
+    {"heap", "Heap::Heap", 8, {}},  // 41
+    {"heap", "before", 8, {}},  // 42
+    {"heap", "copy_cell", 32, {32}},  // 43
+    {"heap", "move_cell", 8, {43}},  // 44
+    {"illuminate", "facing", 16, {108}},  // 45
+    {"intersect", "count_heap", 8, {}},  // 46
+    {"intersect", "push_objects", 384, {22, 49, 35, 24}},  // 47
+    {"intersect", "push_children", 416, {20, 76, 49, 35, 24, 27}},  // 48
+    {"intersect", "Cell::Cell", 8, {}},  // 49
+    {"intersect", "intersect", 112, {46, 61, 47, 48, 49, 33, 25}},  // 50
+    {"intersect_fast", "project_ray", 192, {101, 103, 104, 108, 110, 113, 114}},  // 51
+    {"intersect_fast", "include_point", 8, {}},  // 52
+    {"intersect_fast", "project_child", 128, {100, 103, 108, 113}},  // 53
+    {"intersect_fast", "search_object", 416, {51, 52, 55, 57, 58, 59}},  // 54
+    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 55
+    {"intersect_fast", "intersect_fast", 416, {54, 50}},  // 56
+    {"intersect_fast", "push_projected", 128, {103, 52, 53, 55}},  // 57
+    {"intersect_fast", "ending", 48, {29}},  // 58
+    {"intersect_fast", "as_cell", 128, {102, 109, 27}},  // 59
+    {"mirror", "mirrored", 112, {100, 108, 114}},  // 60
+    {"next_after", "next_after", 432, {62, 42, 25, 64, 65, 66, 28, 44}},  // 61
+    {"next_after", "Cell::Cell", 8, {}},  // 62
+    {"next_after", "CellPath::make_again", 688, {20, 76, 62, 38, 24, 27, 28, 44, 67}},  // 63
+    {"next_after", "CellPath::up", 48, {38, 63, 67}},  // 64
+    {"next_after", "CellPath::down", 368, {20, 76, 62, 34, 24, 27, 44}},  // 65
+    {"next_after", "CellPath::start", 32, {22, 24}},  // 66
+    {"next_after", "CellWord::get", 8, {}},  // 67
+    {"orthographic", "orthographic_ray", 32, {100, 103}},  // 68
+    {"perspective", "perspective_ray", 16, {114}},  // 69
+    {"pixel_program", "read_frame_constants", 32, {103}},  // 70
+    {"point_light", "facing_point_light", 944, {20, 79, 102, 103, 76, 22, 23, 81, 72, 73, 83, 109, 45, 111, 26, 27, 28, 44, 74}},  // 71
+    {"point_light", "direction_to_point_light", 80, {113, 114}},  // 72
+    {"point_light", "Cell::Cell", 8, {}},  // 73
+    {"point_light", "AddPointLight::operator", 96, {21, 72, 45, 84, 112}},  // 74
+    {"polar", "jacobi_rotate", 8, {}},  // 75
+    {"polar", "complete_child", 144, {102, 111}},  // 76
+    {"polar", "largest_singular_value", 128, {75, 108, 109}},  // 77
+    {"shade", "surface_at", 112, {81, 83, 114, 85}},  // 78
+    {"shade", "cell_normal", 96, {80, 106, 114}},  // 79
+    {"shade", "volume_normal", 8, {0, 89}},  // 80
+    {"shade", "outermost_diameter", 352, {21, 22, 82}},  // 81
+    {"shade", "Cell::Cell", 8, {}},  // 82
+    {"shade", "blend", 112, {100, 103, 109}},  // 83
+    {"shade", "PathSum::add", 48, {100}},  // 84
+    {"shade", "walk_path", 896, {20, 79, 102, 103, 76, 22, 23, 82, 83, 111, 26, 27, 28, 44, 86}},  // 85
+    {"shade", "AddNormal::operator", 48, {21, 84}},  // 86
+    {"shadow", "search_to_light", 8, {}},  // 87
+    {"shadow_point", "search_from_light", 80, {108, 113, 114}},  // 88
+    {"sphere", "sphere_normal", 96, {100, 103, 113}},  // 89
+    {"sphere", "intersect_sphere", 112, {103, 108, 113}},  // 90
+    {"trace", "PixelStore::byte", 8, {}},  // 91
+    {"trace", "render_pixel", 752, {100, 78, 103, 56, 71, 45, 4, 29, 112, 50, 44}},  // 92
+    {"trace", "pixel_program", 960, {91, 92, 70, 41}},  // 93
+    {"trace_all", "PixelStore::byte", 8, {}},  // 94
+    {"trace_all", "Tracer::shade (part)", 256, {100, 103, 7, 87, 88, 71, 45}},  // 95
+    {"trace_all", "render_pixel", 3520, {100, 98, 99, 4}},  // 96
+    {"trace_all", "pixel_program", 960, {94, 96, 70, 98, 41}},  // 97
+    {"trace_all", "Cell::Cell", 8, {}},  // 98
+    {"trace_all", "Tracer::look_through_covers", 672, {100, 95, 78, 6, 98, 60, 29, 112, 44}},  // 99
+    {"vectors", "add_scaled", 8, {}},  // 100
+    {"vectors", "read_affine", 96, {102, 103}},  // 101
+    {"vectors", "read_linear", 32, {103}},  // 102
+    {"vectors", "read_vector", 8, {}},  // 103
+    {"vectors", "transform_ray", 48, {105, 107}},  // 104
+    {"vectors", "transform_point", 8, {}},  // 105
+    {"vectors", "transform_normal", 64, {108}},  // 106
+    {"vectors", "transform_direction", 8, {}},  // 107
+    {"vectors", "dot", 8, {}},  // 108
+    {"vectors", "scale", 8, {}},  // 109
+    {"vectors", "rebase", 80, {100, 108, 113}},  // 110
+    {"vectors", "compose", 48, {107}},  // 111
+    {"vectors", "point_at", 8, {100}},  // 112
+    {"vectors", "subtract", 8, {}},  // 113
+    {"vectors", "normalize", 64, {108, 109}},  // 114
 };
 // clang-format on
 

@@ -63,6 +63,8 @@ void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.real(Header::pixel_at_eye, scene.camera.pixel_at_eye);
     block.real(Header::pixel_growth, scene.camera.pixel_growth);
     block.real(Header::detail, scene.detail);
+    block.real(Header::fade, scene.fade);
+    block.integer(Header::bounces, static_cast<std::uint32_t>(scene.bounces));
     block.vector(Header::ambient, scene.ambient);
     block.vector(Header::background, scene.background);
 }
@@ -106,6 +108,7 @@ std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) 
         block.affine(address + Map::inverse, inverse(map.map));
         block.linear(address + Map::linear, map.map.linear);
         block.real(address + Map::constant, map.constant);
+        block.real(address + Map::least, map.least);
         std::uint32_t axes = 0;
         for (const glm::dvec3& axis : map.lost) {
             if (axes == kernels::most_lost_axes) break;
@@ -133,6 +136,8 @@ void write_object(BlockWriter<Real>& block, std::uint32_t address, const Compile
     block.real(address + Object::smallest_pixel, smallest_pixel_share<Real>() * object.diameter);
     block.vector(address + Object::color, object.color);
     block.real(address + Object::diffuse, object.diffuse);
+    block.real(address + Object::opacity, object.opacity);
+    block.real(address + Object::reflect, object.reflect);
 }
 
 template <class Real>
@@ -144,9 +149,25 @@ void write_lights(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.integer(Header::light_count, static_cast<std::uint32_t>(scene.lights.size()));
     for (const CompiledLight& light : scene.lights) {
         block.integer(address + Light::kind, static_cast<std::uint32_t>(light.kind));
+        block.integer(address + Light::shadow, light.shadow ? 1 : 0);
         block.vector(address + Light::place, light.place);
         block.vector(address + Light::color, light.color);
         address += Light::words;
+    }
+}
+
+template <class Real>
+void write_samples(BlockWriter<Real>& block, const CompiledScene& scene) {
+    using Header = kernels::HeaderRecord<real_words<Real>>;
+    const std::size_t count = scene.samples.size();
+    std::uint32_t address = block.grow(2 * real_words<Real> * count);
+    block.integer(Header::samples, address);
+    block.integer(Header::sample_count, static_cast<std::uint32_t>(count));
+    block.real(Header::sample_share, 1 / static_cast<double>(count));
+    for (const glm::dvec2& place : scene.samples) {
+        block.real(address, place.x);
+        block.real(address + real_words<Real>, place.y);
+        address += 2 * real_words<Real>;
     }
 }
 
@@ -175,6 +196,7 @@ std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
         object_address += Object::words;
     }
     write_lights(block, scene);
+    write_samples(block, scene);
     return block.take();
 }
 

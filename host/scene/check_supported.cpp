@@ -18,17 +18,9 @@ void check_object(const ObjectBlock& object, Diagnostics& diagnostics) {
         unsupported(object.position, name + ": an object without an 'ifs'", diagnostics);
     if (object.volume && std::holds_alternative<HullVolume>(*object.volume))
         unsupported(object.volume_position, name + ": 'hull'", diagnostics);
-    if (object.opacity && *object.opacity < 1)
-        unsupported(object.opacity_position, name + ": 'opacity' below 1", diagnostics);
-    if (object.reflect && *object.reflect > 0)
-        unsupported(object.reflect_position, name + ": 'reflect' above 0", diagnostics);
 }
 
 void check_render(const RenderBlock& render, Diagnostics& diagnostics) {
-    if (render.covers && std::holds_alternative<Covers>(*render.covers))
-        unsupported(render.covers_position, "render: 'covers'", diagnostics);
-    if (render.samples && *render.samples > 1)
-        unsupported(render.samples_position, "render: 'samples' above 1", diagnostics);
     if (render.intersect == IntersectMethod::wide)
         unsupported(
             render.intersect_position,
@@ -48,10 +40,6 @@ void check_supported(const Scene& scene, Diagnostics& diagnostics) {
         unsupported(plane.position, block_name("plane", plane.name), diagnostics);
     for (const TextureBlock& texture : scene.textures)
         unsupported(texture.position, block_name("texture", texture.name), diagnostics);
-    for (const LightBlock& light : scene.lights)
-        if (light.shadow.value_or(false))
-            unsupported(light.shadow_position, block_name("light", light.name) + ": 'shadow: on'",
-                        diagnostics);
     if (scene.render) check_render(*scene.render, diagnostics);
 }
 

@@ -49,6 +49,10 @@ std::vector<Example> homothetic_scenes(const std::string& image) {
                         "object c { ifs: tetra rotate: x,180 levels: 3 sphere: (0,0,0) 1.4 }"},
         {"polar", ifs("octo") + "render { intersect: fast lipschitz: polar shading: high-pass }"
                                 "object a { ifs: octo scale: 1,0.5,1.2 }"},
+        {"mirror_and_shadow", ifs("tetra") + ifs("octo") +
+                                  "object a { ifs: octo reflect: 0.4 levels: 1 } object b { ifs: "
+                                  "tetra scale: 0.6 translate: 0.2,0.9,-0.7 } "
+                                  "light { direction: 0.4,1,-0.5 shadow: on }"},
         {"levels", ifs("dodec") + "object a { ifs: dodec levels: 2 }"}};
     scenes.insert(scenes.end(), more.begin(), more.end());
     for (Example& scene : scenes) {

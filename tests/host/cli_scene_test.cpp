@@ -113,12 +113,7 @@ TEST_F(BadScene, what_cannot_be_rendered_yet_is_code_3) {
     };
     unsupported("plane p { point: 0,0,0 normal: 0,1,0 }");
     unsupported("texture t { wood }");
-    unsupported("light l { direction: 0,1,0 shadow: on }");
-    unsupported("object o { ifs: tetra reflect: 0.5 }");
-    unsupported("object o { ifs: tetra opacity: 0.5 }");
     unsupported("object o { sphere: (0,0,0) 1 }");
-    unsupported("render { covers: on }");
-    unsupported("render { samples: 4 }");
     unsupported("render { intersect: wide }");
     unsupported("render { volume: hull }");
 }
@@ -134,6 +129,10 @@ TEST_F(BadScene, a_map_or_volume_that_chapter_13_does_not_project_is_named) {
                "object o { ifs: a box: (-1,-1,-1)(3,1,1) }\n",
            "3:1: error: intersect: fast takes bounding spheres; object \"o\" has another volume "
            "(say volume: sphere)\n    object o { ifs: a box: (-1,-1,-1)(3,1,1) }\n    ^");
+    refuse(tetra_scene + std::string("render { intersect: fast covers: on }\n"),
+           "7:10: error: intersect: fast finds the first cell along a ray; local covers and "
+           "translucent objects take the cells behind it too\n"
+           "    render { intersect: fast covers: on }\n             ^");
 }
 
 TEST_F(BadScene, several_errors_are_told_in_one_run) {
