@@ -8,10 +8,6 @@
 
 namespace pxm::kernels {
 
-/// Farther than anything in a scene, in scene units.
-template <class Real>
-inline constexpr Real far_away = from_double<Real>(1e30);
-
 /// A search: a ray, the part of it that counts, the size of a pixel along it, and when to stop.
 template <class Real>
 struct Search {

@@ -164,8 +164,6 @@ void require_supported(const SceneOverrides& overrides) {
         }
     };
     unless(overrides.intersect != IntersectMethod::wide, "--intersect wide");
-    unless(overrides.volume != VolumeKind::oriented, "--volume oriented");
-    unless(overrides.volume != VolumeKind::hull, "--volume hull");
 }
 
 const Model& parse_model(const char* option, const std::string& text) {

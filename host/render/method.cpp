@@ -47,10 +47,10 @@ void require_solid(const RenderBlock& render, const CompiledScene& scene,
                       "translucent objects take the cells behind it too");
 }
 
-void require_spheres(const ObjectBlock& object, const std::vector<CompiledVolume>& volumes,
+void require_spheres(const ObjectBlock& object, const CompiledShape& shape,
                      Diagnostics& diagnostics) {
-    const bool spheres = std::ranges::all_of(volumes, [](const CompiledVolume& volume) {
-        return volume.kind == kernels::Volume::sphere;
+    const bool spheres = std::ranges::all_of(shape.sets, [](const CompiledSet& set) {
+        return set.volume.kind == kernels::Volume::sphere;
     });
     if (spheres) return;
     diagnostics.error(object.position,

@@ -1,8 +1,6 @@
 // The method of intersection that a scene asks for, and what it must be like for it.
 #pragma once
 
-#include <vector>
-
 #include "host/fractal/rifs.hpp"
 #include "host/render/compiled_scene.hpp"
 #include "host/scene/diagnostics.hpp"
@@ -24,7 +22,7 @@ void require_homotheties(const IfsBlock& block, const Rifs& rifs, Diagnostics& d
 void require_solid(const RenderBlock& render, const CompiledScene& scene, Diagnostics& diagnostics);
 
 /// Ch. 13 projects spheres: other volumes are an error.
-void require_spheres(const ObjectBlock& object, const std::vector<CompiledVolume>& volumes,
+void require_spheres(const ObjectBlock& object, const CompiledShape& shape,
                      Diagnostics& diagnostics);
 
 }  // namespace pxm::host

@@ -10,23 +10,27 @@ const std::string_view module_table_compiler = "g++ 12.2.0 x86-64";
 
 const std::vector<MeasuredModule> module_table{
     // name, program, read-only data, other data; bytes
-    {"box", 811, 36, 0},
+    {"box", 844, 28, 0},
     {"camera", 294, 0, 0},
-    {"covers", 4198, 28, 0},
-    {"descend", 1144, 4, 0},
+    {"cone", 1002, 28, 0},
+    {"covers", 4033, 12, 0},
+    {"cylinder", 842, 28, 0},
+    {"descend", 1244, 52, 0},
     {"flatness", 959, 24, 0},
     {"heap", 998, 0, 0},
+    {"hull", 758, 12, 0},
     {"illuminate", 20, 0, 0},
     {"intersect", 776, 0, 0},
     {"intersect_fast", 2777, 20, 0},
     {"mirror", 221, 16, 0},
     {"next_after", 1244, 4, 0},
+    {"oriented", 1069, 32, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
     {"pixel_program", 139, 0, 0},
     {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
-    {"shade", 1759, 20, 0},
+    {"shade", 1801, 68, 0},
     {"shadow", 83, 0, 0},
     {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
@@ -37,121 +41,139 @@ const std::vector<MeasuredModule> module_table{
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {103, 3}},  // 0
+    {"box", "box_normal", 128, {121, 2, 4}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {103, 1}},  // 2
-    {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {100, 103, 69, 68}},  // 4
-    {"covers", "next_after", 432, {13, 42, 25, 64, 65, 66, 28, 44, 17}},  // 5
-    {"covers", "covers_along", 768, {46, 5, 13, 44, 14, 18}},  // 6
-    {"covers", "covers_along", 768, {46, 5, 13, 44, 15, 19}},  // 7
-    {"covers", "volume_gauge", 96, {103, 108, 113}},  // 8
-    {"covers", "MissedChildren::shown", 8, {}},  // 9
-    {"covers", "MissedChildren::missed", 48, {8, 21, 76, 27}},  // 10
-    {"covers", "shrunk_for_covers", 96, {100, 103, 109, 29, 113}},  // 11
-    {"covers", "push_children_and_cover", 480, {20, 9, 10, 76, 13, 35, 24, 27}},  // 12
-    {"covers", "Cell::Cell", 8, {}},  // 13
-    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 16, 18}},  // 14
-    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 19}},  // 15
-    {"covers", "CollectCovers::operator", 32, {44}},  // 16
-    {"covers", "CoverRule::operator", 464, {20, 21, 9, 10, 13, 24, 29}},  // 17
-    {"covers", "CoverWalk::tell", 32, {42, 16}},  // 18
-    {"covers", "CoverWalk::tell", 32, {42}},  // 19
-    {"descend", "child_cell", 144, {101, 104, 31}},  // 20
-    {"descend", "cell_diameter", 32, {77}},  // 21
-    {"descend", "outermost_cell", 176, {101, 102, 104, 27}},  // 22
-    {"descend", "intersect_volume", 8, {2, 90}},  // 23
-    {"descend", "meet", 112, {23, 11, 26}},  // 24
-    {"descend", "ending", 48, {21, 29}},  // 25
-    {"descend", "approach", 80, {103, 110}},  // 26
-    {"descend", "is_polar", 8, {}},  // 27
-    {"descend", "map_from", 8, {}},  // 28
-    {"descend", "pixel_at", 8, {}},  // 29
-    {"flatness", "undo_squash", 80, {100, 108, 113}},  // 30
-    {"flatness", "keep_thickness", 208, {102, 103, 30, 107, 108, 27, 29, 114}},  // 31
-    {"heap", "cell_words", 8, {}},  // 32
-    {"heap", "Heap::pop", 16, {36, 38, 40}},  // 33
-    {"heap", "Heap::keep", 8, {43}},  // 34
-    {"heap", "Heap::push", 80, {34, 37, 39, 42, 43}},  // 35
-    {"heap", "Heap::swap", 8, {}},  // 36
-    {"heap", "Heap::entry", 8, {}},  // 37
-    {"heap", "Heap::fetch", 8, {43}},  // 38
-    {"heap", "Heap::sift_up", 48, {36, 37, 42}},  // 39
-    {"heap", "Heap::sift_down", 80, {36, 37, 42}},  // 40
-    {"heap", "Heap::Heap", 8, {}},  // 41
-    {"heap", "before", 8, {}},  // 42
-    {"heap", "copy_cell", 32, {32}},  // 43
-    {"heap", "move_cell", 8, {43}},  // 44
-    {"illuminate", "facing", 16, {108}},  // 45
-    {"intersect", "count_heap", 8, {}},  // 46
-    {"intersect", "push_objects", 384, {22, 49, 35, 24}},  // 47
-    {"intersect", "push_children", 416, {20, 76, 49, 35, 24, 27}},  // 48
-    {"intersect", "Cell::Cell", 8, {}},  // 49
-    {"intersect", "intersect", 112, {46, 61, 47, 48, 49, 33, 25}},  // 50
-    {"intersect_fast", "project_ray", 192, {101, 103, 104, 108, 110, 113, 114}},  // 51
-    {"intersect_fast", "include_point", 8, {}},  // 52
-    {"intersect_fast", "project_child", 128, {100, 103, 108, 113}},  // 53
-    {"intersect_fast", "search_object", 416, {51, 52, 55, 57, 58, 59}},  // 54
-    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 55
-    {"intersect_fast", "intersect_fast", 416, {54, 50}},  // 56
-    {"intersect_fast", "push_projected", 128, {103, 52, 53, 55}},  // 57
-    {"intersect_fast", "ending", 48, {29}},  // 58
-    {"intersect_fast", "as_cell", 128, {102, 109, 27}},  // 59
-    {"mirror", "mirrored", 112, {100, 108, 114}},  // 60
-    {"next_after", "next_after", 432, {62, 42, 25, 64, 65, 66, 28, 44}},  // 61
-    {"next_after", "Cell::Cell", 8, {}},  // 62
-    {"next_after", "CellPath::make_again", 688, {20, 76, 62, 38, 24, 27, 28, 44, 67}},  // 63
-    {"next_after", "CellPath::up", 48, {38, 63, 67}},  // 64
-    {"next_after", "CellPath::down", 368, {20, 76, 62, 34, 24, 27, 44}},  // 65
-    {"next_after", "CellPath::start", 32, {22, 24}},  // 66
-    {"next_after", "CellWord::get", 8, {}},  // 67
-    {"orthographic", "orthographic_ray", 32, {100, 103}},  // 68
-    {"perspective", "perspective_ray", 16, {114}},  // 69
-    {"pixel_program", "read_frame_constants", 32, {103}},  // 70
-    {"point_light", "facing_point_light", 944, {20, 79, 102, 103, 76, 22, 23, 81, 72, 73, 83, 109, 45, 111, 26, 27, 28, 44, 74}},  // 71
-    {"point_light", "direction_to_point_light", 80, {113, 114}},  // 72
-    {"point_light", "Cell::Cell", 8, {}},  // 73
-    {"point_light", "AddPointLight::operator", 96, {21, 72, 45, 84, 112}},  // 74
-    {"polar", "jacobi_rotate", 8, {}},  // 75
-    {"polar", "complete_child", 144, {102, 111}},  // 76
-    {"polar", "largest_singular_value", 128, {75, 108, 109}},  // 77
-    {"shade", "surface_at", 112, {81, 83, 114, 85}},  // 78
-    {"shade", "cell_normal", 96, {80, 106, 114}},  // 79
-    {"shade", "volume_normal", 8, {0, 89}},  // 80
-    {"shade", "outermost_diameter", 352, {21, 22, 82}},  // 81
-    {"shade", "Cell::Cell", 8, {}},  // 82
-    {"shade", "blend", 112, {100, 103, 109}},  // 83
-    {"shade", "PathSum::add", 48, {100}},  // 84
-    {"shade", "walk_path", 896, {20, 79, 102, 103, 76, 22, 23, 82, 83, 111, 26, 27, 28, 44, 86}},  // 85
-    {"shade", "AddNormal::operator", 48, {21, 84}},  // 86
-    {"shadow", "search_to_light", 8, {}},  // 87
-    {"shadow_point", "search_from_light", 80, {108, 113, 114}},  // 88
-    {"sphere", "sphere_normal", 96, {100, 103, 113}},  // 89
-    {"sphere", "intersect_sphere", 112, {103, 108, 113}},  // 90
-    {"trace", "PixelStore::byte", 8, {}},  // 91
-    {"trace", "render_pixel", 752, {100, 78, 103, 56, 71, 45, 4, 29, 112, 50, 44}},  // 92
-    {"trace", "pixel_program", 960, {91, 92, 70, 41}},  // 93
-    {"trace_all", "PixelStore::byte", 8, {}},  // 94
-    {"trace_all", "Tracer::shade (part)", 256, {100, 103, 7, 87, 88, 71, 45}},  // 95
-    {"trace_all", "render_pixel", 3520, {100, 98, 99, 4}},  // 96
-    {"trace_all", "pixel_program", 960, {94, 96, 70, 98, 41}},  // 97
-    {"trace_all", "Cell::Cell", 8, {}},  // 98
-    {"trace_all", "Tracer::look_through_covers", 672, {100, 95, 78, 6, 98, 60, 29, 112, 44}},  // 99
-    {"vectors", "add_scaled", 8, {}},  // 100
-    {"vectors", "read_affine", 96, {102, 103}},  // 101
-    {"vectors", "read_linear", 32, {103}},  // 102
-    {"vectors", "read_vector", 8, {}},  // 103
-    {"vectors", "transform_ray", 48, {105, 107}},  // 104
-    {"vectors", "transform_point", 8, {}},  // 105
-    {"vectors", "transform_normal", 64, {108}},  // 106
-    {"vectors", "transform_direction", 8, {}},  // 107
-    {"vectors", "dot", 8, {}},  // 108
-    {"vectors", "scale", 8, {}},  // 109
-    {"vectors", "rebase", 80, {100, 108, 113}},  // 110
-    {"vectors", "compose", 48, {107}},  // 111
-    {"vectors", "point_at", 8, {100}},  // 112
-    {"vectors", "subtract", 8, {}},  // 113
-    {"vectors", "normalize", 64, {108, 109}},  // 114
+    {"box", "decisive_face", 8, {}},  // 2
+    {"box", "intersect_box", 112, {121, 1}},  // 3
+    {"box", "box_normal (part)", 8, {}},  // 4
+    {"camera", "eye_ray", 96, {118, 121, 87, 86}},  // 5
+    {"cone", "cone_normal", 128, {118, 121, 7, 126, 131}},  // 6
+    {"cone", "clip_to_mantle", 8, {}},  // 7
+    {"cone", "intersect_cone", 80, {121, 7, 131}},  // 8
+    {"covers", "next_after", 432, {16, 50, 33, 75, 76, 77, 36, 52, 21}},  // 9
+    {"covers", "covers_along", 768, {57, 9, 16, 52, 18, 22}},  // 10
+    {"covers", "covers_along", 768, {57, 9, 16, 52, 19, 23}},  // 11
+    {"covers", "MissedChildren::shown", 8, {}},  // 12
+    {"covers", "MissedChildren::missed", 80, {121, 29, 94, 126, 35, 131}},  // 13
+    {"covers", "shrunk_for_covers", 96, {118, 121, 127, 37, 131}},  // 14
+    {"covers", "push_children_and_cover", 480, {27, 12, 13, 94, 16, 43, 32, 35}},  // 15
+    {"covers", "Cell::Cell", 8, {}},  // 16
+    {"covers", "ending", 48, {28}},  // 17
+    {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 20, 22}},  // 18
+    {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 23}},  // 19
+    {"covers", "CollectCovers::operator", 32, {52}},  // 20
+    {"covers", "CoverRule::operator", 464, {27, 29, 12, 13, 16, 32, 37}},  // 21
+    {"covers", "CoverWalk::tell", 32, {50, 20}},  // 22
+    {"covers", "CoverWalk::tell", 32, {50}},  // 23
+    {"cylinder", "within_mantle", 8, {}},  // 24
+    {"cylinder", "cylinder_normal", 128, {118, 121, 24, 131}},  // 25
+    {"cylinder", "intersect_cylinder", 96, {121, 24, 131}},  // 26
+    {"descend", "child_cell", 144, {119, 122, 39}},  // 27
+    {"descend", "at_last_level", 8, {}},  // 28
+    {"descend", "cell_diameter", 32, {95}},  // 29
+    {"descend", "outermost_cell", 176, {119, 120, 122, 35}},  // 30
+    {"descend", "intersect_volume", 8, {3, 8, 55, 108, 26, 84}},  // 31
+    {"descend", "meet", 112, {28, 31, 14, 34}},  // 32
+    {"descend", "ending", 48, {28, 29, 37}},  // 33
+    {"descend", "approach", 80, {121, 128}},  // 34
+    {"descend", "is_polar", 8, {}},  // 35
+    {"descend", "map_from", 8, {}},  // 36
+    {"descend", "pixel_at", 8, {}},  // 37
+    {"flatness", "undo_squash", 80, {118, 126, 131}},  // 38
+    {"flatness", "keep_thickness", 208, {120, 121, 38, 125, 126, 35, 37, 132}},  // 39
+    {"heap", "cell_words", 8, {}},  // 40
+    {"heap", "Heap::pop", 16, {44, 46, 48}},  // 41
+    {"heap", "Heap::keep", 8, {51}},  // 42
+    {"heap", "Heap::push", 80, {42, 45, 47, 50, 51}},  // 43
+    {"heap", "Heap::swap", 8, {}},  // 44
+    {"heap", "Heap::entry", 8, {}},  // 45
+    {"heap", "Heap::fetch", 8, {51}},  // 46
+    {"heap", "Heap::sift_up", 48, {44, 45, 50}},  // 47
+    {"heap", "Heap::sift_down", 80, {44, 45, 50}},  // 48
+    {"heap", "Heap::Heap", 8, {}},  // 49
+    {"heap", "before", 8, {}},  // 50
+    {"heap", "copy_cell", 32, {40}},  // 51
+    {"heap", "move_cell", 8, {51}},  // 52
+    {"hull", "cross_plane", 80, {121, 126}},  // 53
+    {"hull", "hull_normal", 128, {53, 121, 131}},  // 54
+    {"hull", "intersect_hull", 112, {53, 121, 131}},  // 55
+    {"illuminate", "facing", 16, {126}},  // 56
+    {"intersect", "count_heap", 8, {}},  // 57
+    {"intersect", "push_objects", 384, {30, 60, 43, 32}},  // 58
+    {"intersect", "push_children", 416, {27, 94, 60, 43, 32, 35}},  // 59
+    {"intersect", "Cell::Cell", 8, {}},  // 60
+    {"intersect", "intersect", 112, {57, 72, 58, 59, 60, 41, 33}},  // 61
+    {"intersect_fast", "project_ray", 192, {119, 121, 122, 126, 128, 131, 132}},  // 62
+    {"intersect_fast", "include_point", 8, {}},  // 63
+    {"intersect_fast", "project_child", 128, {118, 121, 126, 131}},  // 64
+    {"intersect_fast", "search_object", 416, {62, 63, 66, 68, 69, 70}},  // 65
+    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 66
+    {"intersect_fast", "intersect_fast", 416, {65, 61}},  // 67
+    {"intersect_fast", "push_projected", 128, {121, 63, 64, 66}},  // 68
+    {"intersect_fast", "ending", 48, {37}},  // 69
+    {"intersect_fast", "as_cell", 128, {120, 127, 35}},  // 70
+    {"mirror", "mirrored", 112, {118, 126, 132}},  // 71
+    {"next_after", "next_after", 432, {73, 50, 33, 75, 76, 77, 36, 52}},  // 72
+    {"next_after", "Cell::Cell", 8, {}},  // 73
+    {"next_after", "CellPath::make_again", 688, {27, 94, 73, 46, 32, 35, 36, 52, 78}},  // 74
+    {"next_after", "CellPath::up", 48, {46, 74, 78}},  // 75
+    {"next_after", "CellPath::down", 368, {27, 94, 73, 42, 32, 35, 52}},  // 76
+    {"next_after", "CellPath::start", 32, {30, 32}},  // 77
+    {"next_after", "CellWord::get", 8, {}},  // 78
+    {"oriented", "along_axes", 64, {126}},  // 79
+    {"oriented", "clip_to_slab", 8, {}},  // 80
+    {"oriented", "decisive_face", 8, {}},  // 81
+    {"oriented", "oriented_normal", 128, {81, 83, 85}},  // 82
+    {"oriented", "to_oriented_box", 96, {79, 120, 121, 131}},  // 83
+    {"oriented", "intersect_oriented", 80, {80, 83}},  // 84
+    {"oriented", "oriented_normal (part)", 32, {121}},  // 85
+    {"orthographic", "orthographic_ray", 32, {118, 121}},  // 86
+    {"perspective", "perspective_ray", 16, {132}},  // 87
+    {"pixel_program", "read_frame_constants", 32, {121}},  // 88
+    {"point_light", "facing_point_light", 944, {27, 97, 120, 121, 94, 30, 31, 99, 90, 91, 101, 127, 56, 129, 34, 35, 36, 52, 92}},  // 89
+    {"point_light", "direction_to_point_light", 80, {131, 132}},  // 90
+    {"point_light", "Cell::Cell", 8, {}},  // 91
+    {"point_light", "AddPointLight::operator", 96, {29, 90, 56, 102, 130}},  // 92
+    {"polar", "jacobi_rotate", 8, {}},  // 93
+    {"polar", "complete_child", 144, {120, 129}},  // 94
+    {"polar", "largest_singular_value", 128, {93, 126, 127}},  // 95
+    {"shade", "surface_at", 112, {99, 101, 132, 103}},  // 96
+    {"shade", "cell_normal", 96, {98, 124, 132}},  // 97
+    {"shade", "volume_normal", 8, {0, 6, 54, 107, 25, 82}},  // 98
+    {"shade", "outermost_diameter", 352, {29, 30, 100}},  // 99
+    {"shade", "Cell::Cell", 8, {}},  // 100
+    {"shade", "blend", 112, {118, 121, 127}},  // 101
+    {"shade", "PathSum::add", 48, {118}},  // 102
+    {"shade", "walk_path", 896, {27, 97, 120, 121, 94, 30, 31, 100, 101, 129, 34, 35, 36, 52, 104}},  // 103
+    {"shade", "AddNormal::operator", 48, {29, 102}},  // 104
+    {"shadow", "search_to_light", 8, {}},  // 105
+    {"shadow_point", "search_from_light", 80, {126, 131, 132}},  // 106
+    {"sphere", "sphere_normal", 96, {118, 121, 131}},  // 107
+    {"sphere", "intersect_sphere", 112, {121, 126, 131}},  // 108
+    {"trace", "PixelStore::byte", 8, {}},  // 109
+    {"trace", "render_pixel", 752, {118, 96, 121, 67, 89, 56, 5, 37, 130, 61, 52}},  // 110
+    {"trace", "pixel_program", 960, {109, 110, 88, 49}},  // 111
+    {"trace_all", "PixelStore::byte", 8, {}},  // 112
+    {"trace_all", "Tracer::shade (part)", 256, {118, 121, 11, 105, 106, 89, 56}},  // 113
+    {"trace_all", "render_pixel", 3520, {118, 116, 117, 5}},  // 114
+    {"trace_all", "pixel_program", 960, {112, 114, 88, 116, 49}},  // 115
+    {"trace_all", "Cell::Cell", 8, {}},  // 116
+    {"trace_all", "Tracer::look_through_covers", 672, {118, 113, 96, 10, 116, 71, 37, 130, 52}},  // 117
+    {"vectors", "add_scaled", 8, {}},  // 118
+    {"vectors", "read_affine", 96, {120, 121}},  // 119
+    {"vectors", "read_linear", 32, {121}},  // 120
+    {"vectors", "read_vector", 8, {}},  // 121
+    {"vectors", "transform_ray", 48, {123, 125}},  // 122
+    {"vectors", "transform_point", 8, {}},  // 123
+    {"vectors", "transform_normal", 64, {126}},  // 124
+    {"vectors", "transform_direction", 8, {}},  // 125
+    {"vectors", "dot", 8, {}},  // 126
+    {"vectors", "scale", 8, {}},  // 127
+    {"vectors", "rebase", 80, {118, 126, 131}},  // 128
+    {"vectors", "compose", 48, {125}},  // 129
+    {"vectors", "point_at", 8, {118}},  // 130
+    {"vectors", "subtract", 8, {}},  // 131
+    {"vectors", "normalize", 64, {126, 127}},  // 132
 };
 // clang-format on
 

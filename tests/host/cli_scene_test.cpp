@@ -113,9 +113,7 @@ TEST_F(BadScene, what_cannot_be_rendered_yet_is_code_3) {
     };
     unsupported("plane p { point: 0,0,0 normal: 0,1,0 }");
     unsupported("texture t { wood }");
-    unsupported("object o { sphere: (0,0,0) 1 }");
     unsupported("render { intersect: wide }");
-    unsupported("render { volume: hull }");
 }
 
 TEST_F(BadScene, a_map_or_volume_that_chapter_13_does_not_project_is_named) {

@@ -191,9 +191,7 @@ TEST(CheckSupported, says_what_this_version_cannot_render) {
               "    plane f { normal: 0,1,0 }\n"
               "    ^");
     for (const char* blocks :
-         {"texture t { wood }", "object o { cone }", "object o { ifs: a hull }",
-          "render { intersect: wide }", "render { volume: oriented }",
-          "render { volume: hull }"}) {
+         {"texture t { wood }", "render { intersect: wide }"}) {
         const std::string messages = support_messages(an_ifs + blocks);
         EXPECT_NE(messages.find("not supported yet"), std::string::npos) << blocks;
         EXPECT_NE(messages.find("s.pxm:1:"), std::string::npos) << messages;
