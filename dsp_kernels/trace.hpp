@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "dsp_kernels/covers.hpp"
-#include "dsp_kernels/intersect.hpp"
+#include "dsp_kernels/first_cell.hpp"
 #include "dsp_kernels/lights.hpp"
 #include "dsp_kernels/plane.hpp"
 #include "dsp_kernels/reflection.hpp"
@@ -199,7 +199,7 @@ class Tracer {
     }
 
     void look_at_first(PendingRay<Real>& ray) noexcept {
-        const SearchResult<Real> found = intersect(node_, ray.search, heap_, result_.counts);
+        const SearchResult<Real> found = first_cell(node_, ray.search, heap_, result_.counts);
         if (found.outcome == Outcome::miss) return;
         show(ray, found.cell, found.shown, found.outcome);
         ray.share = Real(0);
@@ -327,7 +327,7 @@ class Tracer {
                          DimLight<Node>{node_, left});
             return left < least_share<Real> ? Real(0) : left;
         } else {
-            const auto found = intersect(node_, search, heap_, result_.counts);
+            const auto found = first_cell(node_, search, heap_, result_.counts);
             return found.outcome == Outcome::miss ? Real(1) : Real(0);
         }
     }

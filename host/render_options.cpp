@@ -163,7 +163,6 @@ void require_supported(const SceneOverrides& overrides) {
             throw Error(ExitCode::command_line, fmt::format("{}: not supported yet", what));
         }
     };
-    unless(overrides.intersect != IntersectMethod::fast, "--intersect fast");
     unless(overrides.intersect != IntersectMethod::wide, "--intersect wide");
 }
 

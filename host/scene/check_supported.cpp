@@ -13,7 +13,7 @@ void unsupported(const Position& position, const std::string& what, Diagnostics&
 }
 
 void check_render(const RenderBlock& render, Diagnostics& diagnostics) {
-    if (render.intersect == IntersectMethod::fast || render.intersect == IntersectMethod::wide)
+    if (render.intersect == IntersectMethod::wide)
         unsupported(
             render.intersect_position,
             fmt::format("render: 'intersect: {}'", word_of(intersect_words, *render.intersect)),

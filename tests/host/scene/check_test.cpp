@@ -186,7 +186,7 @@ TEST(Check, maps_are_counted) {
 }
 
 TEST(CheckSupported, says_what_this_version_cannot_render) {
-    for (const char* blocks : {"render { intersect: fast }", "render { intersect: wide }"}) {
+    for (const char* blocks : {"render { intersect: wide }"}) {
         const std::string messages = support_messages(an_ifs + blocks);
         EXPECT_NE(messages.find("not supported yet"), std::string::npos) << blocks;
         EXPECT_NE(messages.find("s.pxm:1:"), std::string::npos) << messages;
