@@ -9,10 +9,6 @@ namespace pxm::kernels {
 /// Which end of a ray's interval in a volume.
 enum class Side { entry, exit };
 
-/// Farther than any scene, in scene units.
-template <class Real>
-inline constexpr Real far_away = from_double<Real>(1e30);
-
 /// Clips `interval` (t measured from the ray's origin) to low <= o + t d <= high along one axis.
 /// False if nothing is left.
 template <NodeLike Node, class Real = typename Node::Real>

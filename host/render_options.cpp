@@ -163,8 +163,6 @@ void require_supported(const SceneOverrides& overrides) {
             throw Error(ExitCode::command_line, fmt::format("{}: not supported yet", what));
         }
     };
-    unless(!overrides.covers || std::holds_alternative<CoversOff>(*overrides.covers), "--covers");
-    unless(overrides.samples.value_or(1) == 1, "--samples above 1");
     unless(overrides.intersect != IntersectMethod::fast, "--intersect fast");
     unless(overrides.intersect != IntersectMethod::wide, "--intersect wide");
 }

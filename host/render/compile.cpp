@@ -11,7 +11,10 @@
 
 #include "host/fractal/lipschitz.hpp"
 #include "host/render/bounding_volume.hpp"
+#include "host/render/compile_floor.hpp"
 #include "host/render/lifted_fractal.hpp"
+#include "host/render/lights.hpp"
+#include "host/render/samples.hpp"
 #include "host/render/shape.hpp"
 #include "host/render/view.hpp"
 #include "host/render/volumes.hpp"
@@ -59,27 +62,6 @@ Ball ball_around(const std::vector<Placed>& objects) {
     return all;
 }
 
-std::vector<CompiledLight> compile_lights(const Scene& scene, const glm::dvec3& eye, double unit) {
-    std::vector<LightBlock> lights = scene.lights;
-    if (lights.empty()) {
-        lights.emplace_back();
-        lights.back().direction = glm::dvec3{0.5, 1, -0.7};
-    }
-    std::vector<CompiledLight> compiled;
-    for (const LightBlock& light : lights) {
-        CompiledLight result;
-        result.color = light.color.value_or(glm::dvec3{1.0});
-        if (light.location) {
-            result.kind = kernels::LightKind::point;
-            result.place = (*light.location - eye) / unit;
-        } else {
-            result.place = glm::normalize(*light.direction);
-        }
-        compiled.push_back(result);
-    }
-    return compiled;
-}
-
 kernels::ShadingMode shading_mode(Shading shading) {
     switch (shading) {
         case Shading::constant:
@@ -113,9 +95,10 @@ class Compiler {
         if (diagnostics_.has_errors()) return {};
         lift_to_pixels(objects);
         for (const Placed& object : objects) add_object(object);
+        compile_floor(scene_, view_, fractals_, out_, diagnostics_);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
-        out_.detail = render_.detail.value_or(out_.detail);
+        set_sampling();
         out_.heap = render_.heap.value_or(out_.heap);
         out_.ambient = render_.ambient.value_or(out_.ambient);
         out_.background = render_.background.value_or(out_.background);
@@ -169,6 +152,21 @@ class Compiler {
         out_.camera = compile_view(view_, out_.size, out_.unit);
     }
 
+    void set_sampling() {
+        out_.detail = render_.detail.value_or(out_.detail);
+        out_.fade = out_.detail;
+        if (const auto* covers = render_.covers ? std::get_if<Covers>(&*render_.covers) : nullptr) {
+            out_.fade = out_.detail * covers->tau_max;
+            out_.detail *= covers->tau_min;
+            out_.covers = true;
+        }
+        out_.bounces = render_.bounces.value_or(out_.bounces);
+        out_.samples = sample_places(render_.samples.value_or(1));
+        const double finer = std::sqrt(static_cast<double>(out_.samples.size()));
+        out_.camera.pixel_at_eye /= finer;
+        out_.camera.pixel_growth /= finer;
+    }
+
     /// Gives flat images the thickness of a pixel, as seen at the nearest object of the ifs: a ray
     /// a pixel does not miss them edge on.
     void lift_to_pixels(const std::vector<Placed>& objects) {
@@ -203,6 +201,8 @@ class Compiler {
         const glm::dvec4 paint = object.block->color.value_or(glm::dvec4{0.0});
         result.color = base_color * (1 - paint.a) + glm::dvec3{paint} * paint.a;
         result.diffuse = object.block->diffuse.value_or(0.8);
+        result.opacity = object.block->opacity.value_or(1);
+        result.reflect = object.block->reflect.value_or(0);
         if (object.fractal == nullptr) {
             result.levels = 0;  // its outermost cell is all there is
         } else if (object.block->levels) {

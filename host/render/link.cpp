@@ -30,6 +30,11 @@ bool any_light(const CompiledScene& scene, kernels::LightKind kind) {
                                [kind](const CompiledLight& light) { return light.kind == kind; });
 }
 
+bool any_texture(const CompiledScene& scene, kernels::TextureKind kind) {
+    return std::ranges::any_of(
+        scene.textures, [kind](const CompiledTexture& texture) { return texture.kind == kind; });
+}
+
 std::int64_t measured_bytes(const std::string& name) {
     const auto found = std::ranges::find(module_table, name, &MeasuredModule::name);
     assert(found != module_table.end());
@@ -47,7 +52,15 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
         return shape.lipschitz == kernels::Lipschitz::polar;
     });
     const bool lifted = std::ranges::any_of(scene.shapes, &CompiledShape::lifted);
+    const bool plain = needs_plain_features(scene);
+    const bool planes = !scene.planes.empty();
+    const bool surfaces = objects || planes;
+    const char* nothing = "no objects or planes";
+    const bool shadows = surfaces && needs_shadows(scene);
     take("pixel_program", true, "every node has pixels", "");
+    take("trace", plain, "the first cell of each eye ray is all that counts",
+         "trace_all takes its place");
+    take("trace_all", !plain, "local covers, shadows or mirrors", "trace is enough");
     take("vectors", true, "every other module calls it", "");
     take("camera", true, "every pixel has an eye ray", "");
     take("perspective", perspective, "a perspective camera", "an orthographic camera");
@@ -68,9 +81,28 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
          "Lipschitz constants by product or determinant");
     take("flatness", lifted, "lifted singular maps", "no singular map");
     take("shade", objects, "objects are shaded", "no objects");
-    take("illuminate", objects, "objects are lit", "no objects");
-    take("point_light", objects && any_light(scene, kernels::LightKind::point), "point lights",
-         objects ? "directional lights only" : "no objects");
+    take("plane", planes, "planes", "no planes");
+    take("texture", !scene.textures.empty(), "planes have textures", "no textures");
+    take("texture_image", any_texture(scene, kernels::TextureKind::image), "textures from files",
+         "no texture from a file");
+    take("texture_wood", any_texture(scene, kernels::TextureKind::wood), "wooden textures",
+         "no wooden texture");
+    take("texture_inclusion", any_texture(scene, kernels::TextureKind::inclusion),
+         "flat attractors as textures", "no texture is an ifs");
+    take("illuminate", surfaces, "surfaces are lit", nothing);
+    take("covers", needs_covers(scene), "local covers or translucent objects",
+         "covers: off, and no translucent object");
+    take("shadow", shadows, "lights that cast shadows", "no light casts shadows");
+    take("shadow_point",
+         shadows && std::ranges::any_of(scene.lights,
+                                        [](const CompiledLight& light) {
+                                            return light.shadow &&
+                                                   light.kind == kernels::LightKind::point;
+                                        }),
+         "point lights that cast shadows", "no point light casts shadows");
+    take("mirror", needs_mirrors(scene), "surfaces that reflect", "no surface reflects");
+    take("point_light", surfaces && any_light(scene, kernels::LightKind::point), "point lights",
+         surfaces ? "directional lights only" : nothing);
 }
 
 /// The deepest chain of calls from a function on, through modules that are in.
@@ -125,7 +157,10 @@ std::int64_t NodeProgram::used_bytes() const {
 NodeProgram link(const CompiledScene& scene) {
     NodeProgram program;
     choose_modules(scene, program);
-    const auto entry = std::ranges::find(function_table, entry_function, &MeasuredFunction::name);
+    const std::string_view tracer = needs_plain_features(scene) ? "trace" : "trace_all";
+    const auto entry = std::ranges::find_if(function_table, [&](const MeasuredFunction& function) {
+        return function.module == tracer && function.name == entry_function;
+    });
     const auto start = static_cast<std::size_t>(entry - function_table.begin());
     Stack stack(program);
     program.stack_bytes = stack.depth(start);

@@ -10,97 +10,201 @@ const std::string_view module_table_compiler = "g++ 12.2.0 x86-64";
 
 const std::vector<MeasuredModule> module_table{
     // name, program, read-only data, other data; bytes
-    {"box", 811, 36, 0},
-    {"camera", 268, 4, 0},
-    {"descend", 1055, 4, 0},
+    {"box", 844, 28, 0},
+    {"camera", 294, 0, 0},
+    {"cone", 1002, 28, 0},
+    {"covers", 4033, 12, 0},
+    {"cylinder", 842, 28, 0},
+    {"descend", 1244, 52, 0},
     {"flatness", 959, 24, 0},
     {"heap", 998, 0, 0},
-    {"illuminate", 352, 0, 0},
-    {"intersect", 678, 4, 0},
-    {"next_after", 1112, 4, 0},
+    {"hull", 758, 12, 0},
+    {"illuminate", 20, 0, 0},
+    {"intersect", 776, 0, 0},
+    {"mirror", 221, 16, 0},
+    {"next_after", 1244, 4, 0},
+    {"oriented", 1069, 32, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 904, 12, 0},
-    {"point_light", 51, 0, 0},
+    {"pixel_program", 139, 0, 0},
+    {"plane", 658, 16, 0},
+    {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
-    {"shade", 1442, 4, 0},
+    {"shade", 1801, 68, 0},
+    {"shadow", 83, 0, 0},
+    {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
-    {"vectors", 1302, 20, 0},
+    {"texture", 1515, 44, 0},
+    {"texture_image", 944, 12, 0},
+    {"texture_inclusion", 1687, 28, 0},
+    {"texture_wood", 2419, 120, 0},
+    {"trace", 2106, 16, 0},
+    {"trace_all", 3158, 24, 0},
+    {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {60, 3}},  // 0
+    {"box", "box_normal", 128, {148, 2, 4}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {60, 1}},  // 2
-    {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {57, 60, 41, 40}},  // 4
-    {"descend", "child_cell", 144, {58, 61, 16}},  // 5
-    {"descend", "cell_diameter", 32, {49}},  // 6
-    {"descend", "outermost_cell", 176, {58, 59, 61, 12}},  // 7
-    {"descend", "intersect_volume", 8, {2, 56}},  // 8
-    {"descend", "meet", 48, {8, 11}},  // 9
-    {"descend", "ending", 48, {6, 14}},  // 10
-    {"descend", "approach", 80, {60, 67}},  // 11
-    {"descend", "is_polar", 8, {}},  // 12
-    {"descend", "map_from", 8, {}},  // 13
-    {"descend", "pixel_at", 8, {}},  // 14
-    {"flatness", "undo_squash", 80, {57, 65, 69}},  // 15
-    {"flatness", "keep_thickness", 208, {59, 60, 15, 64, 65, 12, 14, 70}},  // 16
-    {"heap", "cell_words", 8, {}},  // 17
-    {"heap", "Heap::pop", 16, {21, 23, 25}},  // 18
-    {"heap", "Heap::keep", 8, {28}},  // 19
-    {"heap", "Heap::push", 80, {19, 22, 24, 27, 28}},  // 20
-    {"heap", "Heap::swap", 8, {}},  // 21
-    {"heap", "Heap::entry", 8, {}},  // 22
-    {"heap", "Heap::fetch", 8, {28}},  // 23
-    {"heap", "Heap::sift_up", 48, {21, 22, 27}},  // 24
-    {"heap", "Heap::sift_down", 80, {21, 22, 27}},  // 25
-    {"heap", "Heap::Heap", 8, {}},  // 26
-    {"heap", "before", 8, {}},  // 27
-    {"heap", "copy_cell", 32, {17}},  // 28
-    {"heap", "move_cell", 8, {28}},  // 29
-    {"illuminate", "illuminate", 128, {57, 60, 46, 65}},  // 30
-    {"intersect", "push_objects", 384, {7, 33, 20, 9}},  // 31
-    {"intersect", "push_children", 416, {5, 48, 33, 20, 9, 12}},  // 32
-    {"intersect", "Cell::Cell", 8, {}},  // 33
-    {"intersect", "intersect", 64, {35, 31, 32, 33, 18, 10}},  // 34
-    {"next_after", "next_after", 448, {7, 36, 23, 9, 27, 10, 37, 38, 13, 29, 39}},  // 35
-    {"next_after", "Cell::Cell", 8, {}},  // 36
-    {"next_after", "CellPath::make_again", 688, {5, 48, 36, 23, 9, 12, 13, 29, 39}},  // 37
-    {"next_after", "CellPath::down", 368, {5, 48, 36, 19, 9, 12, 29}},  // 38
-    {"next_after", "CellWord::get", 8, {}},  // 39
-    {"orthographic", "orthographic_ray", 32, {57, 60}},  // 40
-    {"perspective", "perspective_ray", 16, {70}},  // 41
-    {"pixel_program", "PixelStore::byte", 8, {}},  // 42
-    {"pixel_program", "render_pixel", 448, {57, 30, 50, 4, 34}},  // 43
-    {"pixel_program", "pixel_program", 896, {42, 43, 45, 26}},  // 44
-    {"pixel_program", "read_frame_constants", 16, {60}},  // 45
-    {"point_light", "direction_to_point_light", 80, {69, 70}},  // 46
-    {"polar", "jacobi_rotate", 8, {}},  // 47
-    {"polar", "complete_child", 144, {59, 68}},  // 48
-    {"polar", "largest_singular_value", 128, {47, 65, 66}},  // 49
-    {"shade", "surface_at", 928, {57, 5, 51, 52, 59, 60, 6, 48, 7, 8, 65, 54, 66, 68, 11, 12, 13, 29, 70}},  // 50
-    {"shade", "TotalNormal::add", 48, {57}},  // 51
-    {"shade", "cell_normal", 96, {53, 63, 70}},  // 52
-    {"shade", "volume_normal", 8, {0, 55}},  // 53
-    {"shade", "Cell::Cell", 8, {}},  // 54
-    {"sphere", "sphere_normal", 96, {57, 60, 69}},  // 55
-    {"sphere", "intersect_sphere", 112, {60, 65, 69}},  // 56
-    {"vectors", "add_scaled", 8, {}},  // 57
-    {"vectors", "read_affine", 96, {59, 60}},  // 58
-    {"vectors", "read_linear", 32, {60}},  // 59
-    {"vectors", "read_vector", 8, {}},  // 60
-    {"vectors", "transform_ray", 48, {62, 64}},  // 61
-    {"vectors", "transform_point", 8, {}},  // 62
-    {"vectors", "transform_normal", 64, {65}},  // 63
-    {"vectors", "transform_direction", 8, {}},  // 64
-    {"vectors", "dot", 8, {}},  // 65
-    {"vectors", "scale", 8, {}},  // 66
-    {"vectors", "rebase", 80, {57, 65, 69}},  // 67
-    {"vectors", "compose", 48, {64}},  // 68
-    {"vectors", "subtract", 8, {}},  // 69
-    {"vectors", "normalize", 64, {65, 66}},  // 70
+    {"box", "decisive_face", 8, {}},  // 2
+    {"box", "intersect_box", 112, {148, 1}},  // 3
+    {"box", "box_normal (part)", 8, {}},  // 4
+    {"camera", "eye_ray", 96, {145, 148, 78, 77}},  // 5
+    {"cone", "cone_normal", 128, {145, 148, 7, 153, 158}},  // 6
+    {"cone", "clip_to_mantle", 8, {}},  // 7
+    {"cone", "intersect_cone", 80, {148, 7, 158}},  // 8
+    {"covers", "next_after", 432, {16, 50, 33, 66, 67, 68, 36, 52, 21}},  // 9
+    {"covers", "covers_along", 768, {57, 9, 16, 52, 18, 22}},  // 10
+    {"covers", "covers_along", 768, {57, 9, 16, 52, 19, 23}},  // 11
+    {"covers", "MissedChildren::shown", 8, {}},  // 12
+    {"covers", "MissedChildren::missed", 80, {148, 29, 87, 153, 35, 158}},  // 13
+    {"covers", "shrunk_for_covers", 96, {145, 148, 154, 37, 158}},  // 14
+    {"covers", "push_children_and_cover", 480, {27, 12, 13, 87, 16, 43, 32, 35}},  // 15
+    {"covers", "Cell::Cell", 8, {}},  // 16
+    {"covers", "ending", 48, {28}},  // 17
+    {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 20, 22}},  // 18
+    {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 23}},  // 19
+    {"covers", "CollectCovers::operator", 32, {52}},  // 20
+    {"covers", "CoverRule::operator", 464, {27, 29, 12, 13, 16, 32, 37}},  // 21
+    {"covers", "CoverWalk::tell", 32, {50, 20}},  // 22
+    {"covers", "CoverWalk::tell", 32, {50}},  // 23
+    {"cylinder", "within_mantle", 8, {}},  // 24
+    {"cylinder", "cylinder_normal", 128, {145, 148, 24, 158}},  // 25
+    {"cylinder", "intersect_cylinder", 96, {148, 24, 158}},  // 26
+    {"descend", "child_cell", 144, {146, 149, 39}},  // 27
+    {"descend", "at_last_level", 8, {}},  // 28
+    {"descend", "cell_diameter", 32, {88}},  // 29
+    {"descend", "outermost_cell", 176, {146, 147, 149, 35}},  // 30
+    {"descend", "intersect_volume", 8, {3, 8, 55, 101, 26, 75}},  // 31
+    {"descend", "meet", 112, {28, 31, 14, 34}},  // 32
+    {"descend", "ending", 48, {28, 29, 37}},  // 33
+    {"descend", "approach", 80, {148, 155}},  // 34
+    {"descend", "is_polar", 8, {}},  // 35
+    {"descend", "map_from", 8, {}},  // 36
+    {"descend", "pixel_at", 8, {}},  // 37
+    {"flatness", "undo_squash", 80, {145, 153, 158}},  // 38
+    {"flatness", "keep_thickness", 208, {147, 148, 38, 152, 153, 35, 37, 159}},  // 39
+    {"heap", "cell_words", 8, {}},  // 40
+    {"heap", "Heap::pop", 16, {44, 46, 48}},  // 41
+    {"heap", "Heap::keep", 8, {51}},  // 42
+    {"heap", "Heap::push", 80, {42, 45, 47, 50, 51}},  // 43
+    {"heap", "Heap::swap", 8, {}},  // 44
+    {"heap", "Heap::entry", 8, {}},  // 45
+    {"heap", "Heap::fetch", 8, {51}},  // 46
+    {"heap", "Heap::sift_up", 48, {44, 45, 50}},  // 47
+    {"heap", "Heap::sift_down", 80, {44, 45, 50}},  // 48
+    {"heap", "Heap::Heap", 8, {}},  // 49
+    {"heap", "before", 8, {}},  // 50
+    {"heap", "copy_cell", 32, {40}},  // 51
+    {"heap", "move_cell", 8, {51}},  // 52
+    {"hull", "cross_plane", 80, {148, 153}},  // 53
+    {"hull", "hull_normal", 128, {53, 148, 158}},  // 54
+    {"hull", "intersect_hull", 112, {53, 148, 158}},  // 55
+    {"illuminate", "facing", 16, {153}},  // 56
+    {"intersect", "count_heap", 8, {}},  // 57
+    {"intersect", "push_objects", 384, {30, 60, 43, 32}},  // 58
+    {"intersect", "push_children", 416, {27, 87, 60, 43, 32, 35}},  // 59
+    {"intersect", "Cell::Cell", 8, {}},  // 60
+    {"intersect", "intersect", 112, {57, 63, 58, 59, 60, 41, 33}},  // 61
+    {"mirror", "mirrored", 112, {145, 153, 159}},  // 62
+    {"next_after", "next_after", 432, {64, 50, 33, 66, 67, 68, 36, 52}},  // 63
+    {"next_after", "Cell::Cell", 8, {}},  // 64
+    {"next_after", "CellPath::make_again", 688, {27, 87, 64, 46, 32, 35, 36, 52, 69}},  // 65
+    {"next_after", "CellPath::up", 48, {46, 65, 69}},  // 66
+    {"next_after", "CellPath::down", 368, {27, 87, 64, 42, 32, 35, 52}},  // 67
+    {"next_after", "CellPath::start", 32, {30, 32}},  // 68
+    {"next_after", "CellWord::get", 8, {}},  // 69
+    {"oriented", "along_axes", 64, {153}},  // 70
+    {"oriented", "clip_to_slab", 8, {}},  // 71
+    {"oriented", "decisive_face", 8, {}},  // 72
+    {"oriented", "oriented_normal", 128, {72, 74, 76}},  // 73
+    {"oriented", "to_oriented_box", 96, {70, 147, 148, 158}},  // 74
+    {"oriented", "intersect_oriented", 80, {71, 74}},  // 75
+    {"oriented", "oriented_normal (part)", 32, {148}},  // 76
+    {"orthographic", "orthographic_ray", 32, {145, 148}},  // 77
+    {"perspective", "perspective_ray", 16, {159}},  // 78
+    {"pixel_program", "read_frame_constants", 32, {148}},  // 79
+    {"plane", "nearest_plane", 96, {148, 153}},  // 80
+    {"plane", "plane_surface", 144, {103, 148, 153, 157, 106}},  // 81
+    {"point_light", "facing_point_light", 944, {27, 90, 147, 148, 87, 30, 31, 92, 83, 84, 94, 154, 56, 156, 34, 35, 36, 52, 85}},  // 82
+    {"point_light", "direction_to_point_light", 80, {158, 159}},  // 83
+    {"point_light", "Cell::Cell", 8, {}},  // 84
+    {"point_light", "AddPointLight::operator", 96, {29, 83, 56, 95, 157}},  // 85
+    {"polar", "jacobi_rotate", 8, {}},  // 86
+    {"polar", "complete_child", 144, {147, 156}},  // 87
+    {"polar", "largest_singular_value", 128, {86, 153, 154}},  // 88
+    {"shade", "surface_at", 112, {92, 94, 159, 96}},  // 89
+    {"shade", "cell_normal", 96, {91, 151, 159}},  // 90
+    {"shade", "volume_normal", 8, {0, 6, 54, 100, 25, 73}},  // 91
+    {"shade", "outermost_diameter", 352, {29, 30, 93}},  // 92
+    {"shade", "Cell::Cell", 8, {}},  // 93
+    {"shade", "blend", 112, {145, 148, 154}},  // 94
+    {"shade", "PathSum::add", 48, {145}},  // 95
+    {"shade", "walk_path", 896, {27, 90, 147, 148, 87, 30, 31, 93, 94, 156, 34, 35, 36, 52, 97}},  // 96
+    {"shade", "AddNormal::operator", 48, {29, 95}},  // 97
+    {"shadow", "search_to_light", 8, {}},  // 98
+    {"shadow_point", "search_from_light", 80, {153, 158, 159}},  // 99
+    {"sphere", "sphere_normal", 96, {145, 148, 158}},  // 100
+    {"sphere", "intersect_sphere", 112, {148, 153, 158}},  // 101
+    {"texture", "in_repeats", 48, {153}},  // 102
+    {"texture", "layer_color", 192, {145, 102, 148, 104, 158}},  // 103
+    {"texture", "texture_color", 48, {121, 109, 148, 113, 107}},  // 104
+    {"texture", "place_of", 8, {}},  // 105
+    {"texture", "footprint", 96, {145, 153, 154, 159}},  // 106
+    {"texture", "is_beyond (part)", 8, {}},  // 107
+    {"texture_image", "neighbours", 8, {}},  // 108
+    {"texture_image", "image_color", 128, {110, 111, 154, 105}},  // 109
+    {"texture_image", "image_level", 208, {108, 111, 112}},  // 110
+    {"texture_image", "mix", 96, {145, 158}},  // 111
+    {"texture_image", "texel", 8, {}},  // 112
+    {"texture_inclusion", "inclusion_color", 96, {145, 148, 115, 158}},  // 113
+    {"texture_inclusion", "largest_stretch", 8, {}},  // 114
+    {"texture_inclusion", "inclusion_coverage", 1552, {116, 117, 105, 118, 119}},  // 115
+    {"texture_inclusion", "outermost_point_cell", 48, {117, 119}},  // 116
+    {"texture_inclusion", "times", 8, {}},  // 117
+    {"texture_inclusion", "Inclusion::is_open", 96, {114, 117, 119}},  // 118
+    {"texture_inclusion", "read_vec2", 8, {}},  // 119
+    {"texture_wood", "pxm::floor_integer", 8, {}},  // 120
+    {"texture_wood", "wood_color", 192, {145, 148, 123, 124, 154, 105, 127, 158}},  // 121
+    {"texture_wood", "ring_darkness", 48, {120}},  // 122
+    {"texture_wood", "board_darkness", 48, {125, 126}},  // 123
+    {"texture_wood", "share_in_stripes", 48, {128}},  // 124
+    {"texture_wood", "noise", 112, {120, 129}},  // 125
+    {"texture_wood", "rings_at", 48, {122, 125}},  // 126
+    {"texture_wood", "scramble", 8, {}},  // 127
+    {"texture_wood", "share_in_stripes (part)", 32, {120}},  // 128
+    {"texture_wood", "noise (part)", 16, {127}},  // 129
+    {"trace", "PixelStore::byte", 8, {}},  // 130
+    {"trace", "render_pixel", 672, {145, 89, 80, 81, 133, 134, 5, 37, 157, 61, 52}},  // 131
+    {"trace", "pixel_program", 960, {130, 131, 79, 49}},  // 132
+    {"trace", "Tracer::shade", 128, {145, 148, 82, 56}},  // 133
+    {"trace", "Tracer::is_most", 8, {}},  // 134
+    {"trace_all", "PixelStore::byte", 8, {}},  // 135
+    {"trace_all", "Tracer::shade (part)", 256, {145, 148, 11, 98, 99, 82, 141, 56}},  // 136
+    {"trace_all", "render_pixel", 3392, {139, 140, 5}},  // 137
+    {"trace_all", "pixel_program", 960, {135, 137, 79, 139, 49}},  // 138
+    {"trace_all", "Cell::Cell", 8, {}},  // 139
+    {"trace_all", "Tracer::look_along", 128, {145, 81, 141, 142, 143, 144, 157}},  // 140
+    {"trace_all", "Tracer::meets_plane", 8, {80}},  // 141
+    {"trace_all", "Tracer::look_through_covers", 560, {89, 10, 139, 143, 144, 37, 157, 52}},  // 142
+    {"trace_all", "Tracer::shade", 144, {145, 136, 62}},  // 143
+    {"trace_all", "Tracer::is_most", 8, {}},  // 144
+    {"vectors", "add_scaled", 8, {}},  // 145
+    {"vectors", "read_affine", 96, {147, 148}},  // 146
+    {"vectors", "read_linear", 32, {148}},  // 147
+    {"vectors", "read_vector", 8, {}},  // 148
+    {"vectors", "transform_ray", 48, {150, 152}},  // 149
+    {"vectors", "transform_point", 8, {}},  // 150
+    {"vectors", "transform_normal", 64, {153}},  // 151
+    {"vectors", "transform_direction", 8, {}},  // 152
+    {"vectors", "dot", 8, {}},  // 153
+    {"vectors", "scale", 8, {}},  // 154
+    {"vectors", "rebase", 80, {145, 153, 158}},  // 155
+    {"vectors", "compose", 48, {152}},  // 156
+    {"vectors", "point_at", 8, {145}},  // 157
+    {"vectors", "subtract", 8, {}},  // 158
+    {"vectors", "normalize", 64, {153, 154}},  // 159
 };
 // clang-format on
 

@@ -4,44 +4,15 @@
 #include <glm/geometric.hpp>
 
 #include "dsp_kernels/flatness.hpp"
+#include "dsp_kernels/floor_block.hpp"
 #include "host/fractal/lipschitz.hpp"
+#include "host/render/block_writer.hpp"
+#include "host/render/floor_block.hpp"
 #include "pxm/real.hpp"
 
 namespace pxm::host {
 
 namespace {
-
-/// Grows a block record by record and fills fields in by address.
-template <class Real>
-class BlockWriter {
-  public:
-    /// Room for so many words; returns their address.
-    std::uint32_t grow(std::size_t words) {
-        const auto address = static_cast<std::uint32_t>(words_.size());
-        words_.insert(words_.end(), words, 0U);
-        return address;
-    }
-    void integer(std::uint32_t address, std::uint32_t value) { words_[address] = value; }
-    void real(std::uint32_t address, double value) {
-        for (const std::uint32_t word : encode(from_double<Real>(value))) words_[address++] = word;
-    }
-    void vector(std::uint32_t address, const glm::dvec3& v) {
-        for (int i = 0; i < 3; ++i) real(address + static_cast<std::uint32_t>(i) * step, v[i]);
-    }
-    void linear(std::uint32_t address, const glm::dmat3& m) {
-        for (int i = 0; i < 3; ++i)
-            vector(address + static_cast<std::uint32_t>(3 * i) * step, m[i]);
-    }
-    void affine(std::uint32_t address, const Affine& map) {
-        linear(address, map.linear);
-        vector(address + 9 * step, map.translation);
-    }
-    std::vector<std::uint32_t> take() { return std::move(words_); }
-
-  private:
-    static constexpr std::uint32_t step = real_words<Real>;
-    std::vector<std::uint32_t> words_;
-};
 
 template <class Real>
 void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
@@ -63,6 +34,8 @@ void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.real(Header::pixel_at_eye, scene.camera.pixel_at_eye);
     block.real(Header::pixel_growth, scene.camera.pixel_growth);
     block.real(Header::detail, scene.detail);
+    block.real(Header::fade, scene.fade);
+    block.integer(Header::bounces, static_cast<std::uint32_t>(scene.bounces));
     block.vector(Header::ambient, scene.ambient);
     block.vector(Header::background, scene.background);
 }
@@ -144,6 +117,7 @@ std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) 
         block.affine(address + Map::inverse, inverse(map.map));
         block.linear(address + Map::linear, map.map.linear);
         block.real(address + Map::constant, map.constant);
+        block.real(address + Map::least, map.least);
         std::uint32_t axes = 0;
         for (const glm::dvec3& axis : map.lost) {
             if (axes == kernels::most_lost_axes) break;
@@ -171,6 +145,8 @@ void write_object(BlockWriter<Real>& block, std::uint32_t address, const Compile
     block.real(address + Object::smallest_pixel, smallest_pixel_share<Real>() * object.diameter);
     block.vector(address + Object::color, object.color);
     block.real(address + Object::diffuse, object.diffuse);
+    block.real(address + Object::opacity, object.opacity);
+    block.real(address + Object::reflect, object.reflect);
 }
 
 template <class Real>
@@ -182,9 +158,25 @@ void write_lights(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.integer(Header::light_count, static_cast<std::uint32_t>(scene.lights.size()));
     for (const CompiledLight& light : scene.lights) {
         block.integer(address + Light::kind, static_cast<std::uint32_t>(light.kind));
+        block.integer(address + Light::shadow, light.shadow ? 1 : 0);
         block.vector(address + Light::place, light.place);
         block.vector(address + Light::color, light.color);
         address += Light::words;
+    }
+}
+
+template <class Real>
+void write_samples(BlockWriter<Real>& block, const CompiledScene& scene) {
+    using Header = kernels::HeaderRecord<real_words<Real>>;
+    const std::size_t count = scene.samples.size();
+    std::uint32_t address = block.grow(2 * real_words<Real> * count);
+    block.integer(Header::samples, address);
+    block.integer(Header::sample_count, static_cast<std::uint32_t>(count));
+    block.real(Header::sample_share, 1 / static_cast<double>(count));
+    for (const glm::dvec2& place : scene.samples) {
+        block.real(address, place.x);
+        block.real(address + real_words<Real>, place.y);
+        address += 2 * real_words<Real>;
     }
 }
 
@@ -213,6 +205,8 @@ std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
         object_address += Object::words;
     }
     write_lights(block, scene);
+    write_floor(block, scene);
+    write_samples(block, scene);
     return block.take();
 }
 
@@ -221,6 +215,13 @@ std::uint32_t object_index(const std::vector<std::uint32_t>& block, std::uint32_
     using Header = kernels::HeaderRecord<real_words<Real>>;
     using Object = kernels::ObjectRecord<real_words<Real>>;
     return (address - block[Header::objects]) / Object::words;
+}
+
+template <class Real>
+std::uint32_t plane_index(const std::vector<std::uint32_t>& block, std::uint32_t address) {
+    using Header = kernels::HeaderRecord<real_words<Real>>;
+    using Plane = kernels::PlaneRecord<real_words<Real>>;
+    return (address - block[Header::planes]) / Plane::words;
 }
 
 std::uint64_t block_hash(const std::vector<std::uint32_t>& block) {
@@ -242,5 +243,8 @@ template std::vector<std::uint32_t> make_scene_block<double>(const CompiledScene
 template std::uint32_t object_index<dsp32::Float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t object_index<float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t object_index<double>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t plane_index<dsp32::Float>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t plane_index<float>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t plane_index<double>(const std::vector<std::uint32_t>&, std::uint32_t);
 
 }  // namespace pxm::host
