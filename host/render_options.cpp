@@ -166,7 +166,6 @@ void require_supported(const SceneOverrides& overrides) {
     unless(!overrides.covers || std::holds_alternative<CoversOff>(*overrides.covers), "--covers");
     unless(overrides.samples.value_or(1) == 1, "--samples above 1");
     unless(overrides.intersect != IntersectMethod::fast, "--intersect fast");
-    unless(overrides.intersect != IntersectMethod::wide, "--intersect wide");
     unless(overrides.volume != VolumeKind::oriented, "--volume oriented");
     unless(overrides.volume != VolumeKind::hull, "--volume hull");
 }

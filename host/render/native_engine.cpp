@@ -9,6 +9,7 @@
 #include "host/render/engine.hpp"
 #include "host/render/gather.hpp"
 #include "host/render/native_node.hpp"
+#include "host/wide/wide_engine.hpp"
 #include "pxm/frame_buffer.hpp"
 
 namespace pxm::host {
@@ -99,6 +100,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
 
 EngineResult run_natively(const CompiledScene& scene, const EngineChoice& choice,
                           const RunControl& control) {
+    if (choice.intersect == IntersectMethod::wide) return wide::run_wide(scene, choice, control);
     if (choice.numeric == Numeric::twice) return run<double>(scene, choice, control);
     if (choice.numeric == Numeric::dsp32) return run<dsp32::Float>(scene, choice, control);
     return run<float>(scene, choice, control);

@@ -29,7 +29,7 @@ void check_render(const RenderBlock& render, Diagnostics& diagnostics) {
         unsupported(render.covers_position, "render: 'covers'", diagnostics);
     if (render.samples && *render.samples > 1)
         unsupported(render.samples_position, "render: 'samples' above 1", diagnostics);
-    if (render.intersect == IntersectMethod::fast || render.intersect == IntersectMethod::wide)
+    if (render.intersect == IntersectMethod::fast)
         unsupported(
             render.intersect_position,
             fmt::format("render: 'intersect: {}'", word_of(intersect_words, *render.intersect)),

@@ -119,7 +119,7 @@ TEST_F(BadScene, what_cannot_be_rendered_yet_is_code_3) {
     unsupported("object o { sphere: (0,0,0) 1 }");
     unsupported("render { covers: on }");
     unsupported("render { samples: 4 }");
-    unsupported("render { intersect: wide }");
+    unsupported("render { intersect: fast }");
     unsupported("render { volume: hull }");
 }
 

@@ -194,7 +194,7 @@ TEST(CheckSupported, says_what_this_version_cannot_render) {
          {"texture t { wood }", "light { direction: 1,0,0 shadow: on }", "object o { cone }",
           "object o { ifs: a reflect: 0.1 }", "object o { ifs: a opacity: 0.5 }",
           "object o { ifs: a hull }", "render { covers: on }", "render { samples: 2 }",
-          "render { intersect: fast }", "render { intersect: wide }", "render { volume: oriented }",
+          "render { intersect: fast }", "render { volume: oriented }",
           "render { volume: hull }"}) {
         const std::string messages = support_messages(an_ifs + blocks);
         EXPECT_NE(messages.find("not supported yet"), std::string::npos) << blocks;

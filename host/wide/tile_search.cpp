@@ -1,0 +1,98 @@
+// Highway compiles this file once for every kind of register and picks one at run time.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#include "host/wide/tile_search.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "host/wide/tile_search.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "host/wide/start_cell.inl"
+
+HWY_BEFORE_NAMESPACE();
+namespace pxm::host::wide::HWY_NAMESPACE {
+
+constexpr double start_pixels = 12;  // the largest diameter of a start cell
+
+/// The depth beyond which no ray of the tile looks any more.
+inline double farthest_best(const Workspace& work) {
+    double farthest = 0;
+    for (std::uint64_t rays = work.tile.inside; rays != 0; rays &= rays - 1) {
+        farthest = std::max(farthest, work.best[static_cast<std::size_t>(std::countr_zero(rays))]);
+    }
+    return farthest;
+}
+
+void search(const WideScene& scene, Workspace& work) {
+    for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) push_object(scene, work, i);
+    while (!work.queue.empty()) {
+        const auto [near, index] = work.queue.front();
+        if (farthest_best(work) <= near) return;
+        std::pop_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+        work.queue.pop_back();
+        const SharedCell& cell = work.cells[static_cast<std::size_t>(index)];
+        const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
+        if (cell.level == object.levels ||
+            cell.diameter <= start_pixels * pixel_at(scene, cell.object, near)) {
+            visit_start_cell(scene, work, index);
+        } else {
+            open_shared_cell(scene, work, index);
+        }
+    }
+}
+
+}  // namespace pxm::host::wide::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pxm::host::wide {
+
+HWY_EXPORT(search);
+
+float* Arena::floats(std::size_t count) {
+    if (used_ + count > chunk_floats) {
+        ++chunk_;
+        used_ = 0;
+    }
+    if (chunks_.size() <= chunk_) chunks_.push_back(hwy::AllocateAligned<float>(chunk_floats));
+    float* room = chunks_[chunk_].get() + used_;
+    used_ += count;
+    return room;
+}
+
+void search_tile(const WideScene& scene, Workspace& work) {
+    work.cells.clear();
+    work.queue.clear();
+    work.blocks.clear();
+    work.arena.clear();
+    work.shared_tests = 0;
+    work.found.fill(Found{});
+    work.best.fill(std::numeric_limits<double>::infinity());
+    HWY_DYNAMIC_DISPATCH(search)(scene, work);
+}
+
+void word_of(const WideScene& scene, const Workspace& work, const Found& found,
+             std::vector<int>& word) {
+    word.clear();
+    int lane = found.lane;
+    for (int index = found.block; index >= 0;) {
+        const Block& block = work.blocks[static_cast<std::size_t>(index)];
+        const WideSet& set = scene.sets[static_cast<std::size_t>(block.set)];
+        word.push_back(set.maps[static_cast<std::size_t>(lane)]);
+        lane = block.lane;
+        index = block.parent;
+    }
+    for (int index = found.start; index >= 0;) {
+        const SharedCell& cell = work.cells[static_cast<std::size_t>(index)];
+        if (cell.parent >= 0) word.push_back(cell.symbol);
+        index = cell.parent;
+    }
+    std::ranges::reverse(word);
+}
+
+}  // namespace pxm::host::wide
+#endif

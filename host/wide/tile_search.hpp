@@ -1,0 +1,123 @@
+// The first cells that the 64 rays of a tile meet. Three steps, one file each:
+//   shared_levels.inl  the tile as a whole goes down to *start cells* of a few pixels, nearest
+//                          first, in double
+//   start_cell.inl     the tile's rays, in lanes, against a start cell, in float
+//   single_ray.inl     each ray that meets it alone, with a cell's children in lanes
+// A workspace is one thread's; its memory does not grow with the picture.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "host/wide/tile_view.hpp"
+#include "host/wide/wide_scene.hpp"
+
+namespace pxm::host::wide {
+
+/// A cell that the tile's rays share, as seen from the tile. A point of a ray at depth z is
+/// o + (z - base) W + u U + v V in the cell's unit coordinates; o is near the volume's centre.
+struct SharedCell {
+    std::array<double, 12> rows;   // U, V, W, o
+    std::array<double, 9> linear;  // composed linear part (polar)
+    double constant = 1;           // Lipschitz constant of the composed map (otherwise)
+    double diameter = 0;           // in scene units
+    double base = 0;
+    double near = 0;  // all rays of the tile are within this interval of depths
+    double far = 0;   // while they are in the cell
+    int set = 0;
+    int object = 0;
+    int parent = -1;
+    int symbol = 0;
+    std::uint32_t level = 0;
+    bool spheres = true;  // its own volume
+};
+
+/// The children of a cell below a start cell, in lanes; shared by the rays that open it.
+/// Rows: from the start cell's unit coordinates to the children's (12), their diameters, their
+/// constants, and where the Lipschitz method needs them their composed linear parts (9).
+struct Block {
+    static constexpr int map = 0;
+    static constexpr int diameter = 12;
+    static constexpr int constant = 13;
+    static constexpr int linear = 14;
+    static constexpr int product_rows = 14;
+    static constexpr int polar_rows = 23;
+
+    int set = 0;
+    int parent = -1;          // block; -1: the start cell
+    int lane = 0;             // in the parent block
+    std::uint32_t level = 0;  // of the children
+    float* rows = nullptr;
+    int* opened = nullptr;  // the block of each child, or -1
+};
+
+/// What a ray was found to meet first: the cell in `lane` of `block`, or the start cell itself.
+struct Found {
+    int start = -1;  // index of a shared cell; -1: nothing
+    int block = -1;
+    int lane = 0;
+    double depth = 0;
+    std::uint32_t tested = 0;  // volumes tested for this ray alone
+    bool given_up = false;     // too many of them
+};
+
+/// Floats and ints that live until the tile is done.
+class Arena {
+  public:
+    void clear() {
+        chunk_ = 0;
+        used_ = 0;
+    }
+    /// Room for so many floats, a multiple of table_step.
+    [[nodiscard]] float* floats(std::size_t count);
+    [[nodiscard]] int* ints(std::size_t count) { return reinterpret_cast<int*>(floats(count)); }
+
+  private:
+    static constexpr std::size_t chunk_floats = std::size_t{1} << 18;
+    std::vector<hwy::AlignedFreeUniquePtr<float[]>> chunks_;
+    std::size_t chunk_ = 0;
+    std::size_t used_ = 0;
+};
+
+/// A cell on a ray's stack.
+struct Waiting {
+    float key;
+    float exit;
+    int block;
+    int lane;
+};
+
+/// A start cell as the tile's rays see it, and what the rays below it need.
+struct StartRays {
+    alignas(64) float origin[3][tile_rays];
+    alignas(64) float direction[3][tile_rays];
+    alignas(64) float key[tile_rays];
+    alignas(64) float exit[tile_rays];
+    int cell = 0;
+    int block = -1;  // of its children, once opened
+    double base = 0;
+};
+
+struct Workspace {
+    TileView tile;
+    std::vector<SharedCell> cells;
+    std::vector<std::pair<double, int>> queue;  // (near, cell), a heap
+    std::vector<Block> blocks;
+    Arena arena;
+    StartRays start;
+    std::vector<Waiting> stack;
+    std::array<Found, tile_rays> found;
+    std::array<double, tile_rays> best;  // depth of what was found, else infinity
+    std::uint64_t shared_tests = 0;
+    hwy::AlignedFreeUniquePtr<double[]> scratch;  // children of a shared cell, in lanes
+};
+
+/// Fills in `found` for the tile in the workspace, on the widest registers there are.
+void search_tile(const WideScene& scene, Workspace& work);
+
+/// The symbols of a found cell, outermost first.
+void word_of(const WideScene& scene, const Workspace& work, const Found& found,
+             std::vector<int>& word);
+
+}  // namespace pxm::host::wide
