@@ -120,6 +120,21 @@ HWY_INLINE LaneInterval<V> in_unit_cube(D d, const Lanes3<V>& origin, const Lane
     return {max3(x.key, y.key, z.key), hn::Min(hn::Min(x.exit, y.exit), z.exit)};
 }
 
+/// The outward normal of the cube's face at depth t of the line, up to its length: the first axis
+/// whose slab begins (ends) there.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE Lanes3<V> cube_normal(D d, const Lanes3<V>& origin, const Lanes3<V>& direction, V t) {
+    // The coordinate that is farthest out where the line meets the surface.
+    const Lanes3<V> place = add_scaled(origin, t, direction);
+    const V x = hn::Abs(place.x), y = hn::Abs(place.y), z = hn::Abs(place.z);
+    const auto is_x = hn::And(hn::Ge(x, y), hn::Ge(x, z));
+    const auto is_y = hn::AndNot(is_x, hn::Ge(y, z));
+    const auto is_z = hn::Not(hn::Or(is_x, is_y));
+    (void)d;
+    return {hn::IfThenElseZero(is_x, place.x), hn::IfThenElseZero(is_y, place.y),
+            hn::IfThenElseZero(is_z, place.z)};
+}
+
 /// cos(acos(r) / 3) for r in [-1, 1]: the largest solution of 4 f^3 - 3 f = r.
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE V cosine_of_third(D d, V r) {

@@ -43,6 +43,7 @@ inline int make_block(const WideScene& scene, Workspace& work, const Opening& ce
     block.parent = cell.parent;
     block.lane = cell.lane;
     block.level = cell.level + 1;
+    block.last = block.level == last_level;
     const int rows = set.polar ? Block::polar_rows : Block::product_rows;
     block.rows = work.arena.floats(static_cast<std::size_t>(rows * stride));
     block.opened = work.arena.ints(static_cast<std::size_t>(stride));
@@ -78,7 +79,6 @@ inline int make_block(const WideScene& scene, Workspace& work, const Opening& ce
             hn::StoreU(constant, d, block.rows + Block::constant * stride + i);
             diameter = hn::Mul(diameter, constant);
         }
-        if (block.level == last_level) diameter = hn::Zero(d);  // terminal whatever its size
         hn::StoreU(diameter, d, block.rows + Block::diameter * stride + i);
     }
     work.blocks.push_back(block);
@@ -146,7 +146,7 @@ inline int meet_children(const Block& block, const WideSet& set, const RayInStar
             hn::Add(hn::Set(d, ray.pixel_base), hn::Mul(hn::Set(d, ray.pixel_growth), from)),
             hn::Set(d, ray.pixel_least));
         const V diameter = hn::LoadU(d, rows + Block::diameter * set.stride);
-        const auto terminal = hn::Le(diameter, p);
+        const auto terminal = block.last ? hn::FirstN(d, hn::Lanes(d)) : hn::Le(diameter, p);
         const auto lane = hn::Or(hn::Iota(di, i), hn::IfThenElseZero(hn::RebindMask(di, terminal),
                                                                      hn::Set(di, terminal_bit)));
         hn::CompressStore(from, met, d, keys + count);

@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "host/wide/shade_hit.inl"
 #include "host/wide/start_cell.inl"
 
 HWY_BEFORE_NAMESPACE();
@@ -52,6 +53,7 @@ HWY_AFTER_NAMESPACE();
 namespace pxm::host::wide {
 
 HWY_EXPORT(search);
+HWY_EXPORT(shade);
 
 float* Arena::floats(std::size_t count) {
     if (used_ + count > chunk_floats) {
@@ -69,10 +71,15 @@ void search_tile(const WideScene& scene, Workspace& work) {
     work.queue.clear();
     work.blocks.clear();
     work.arena.clear();
+    work.paths_used = 0;
     work.shared_tests = 0;
     work.found.fill(Found{});
     work.best.fill(std::numeric_limits<double>::infinity());
     HWY_DYNAMIC_DISPATCH(search)(scene, work);
+}
+
+bool shade_hit(const WideScene& scene, Workspace& work, int ray, Shaded& shaded) {
+    return HWY_DYNAMIC_DISPATCH(shade)(scene, work, ray, shaded);
 }
 
 void word_of(const WideScene& scene, const Workspace& work, const Found& found,

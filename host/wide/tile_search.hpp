@@ -31,6 +31,7 @@ struct SharedCell {
     int symbol = 0;
     std::uint32_t level = 0;
     bool spheres = true;  // its own volume
+    int path = -1;        // index of its path, once a ray has hit below it
 };
 
 /// The children of a cell below a start cell, in lanes; shared by the rays that open it.
@@ -48,6 +49,7 @@ struct Block {
     int parent = -1;          // block; -1: the start cell
     int lane = 0;             // in the parent block
     std::uint32_t level = 0;  // of the children
+    bool last = false;        // they are terminal whatever their size
     float* rows = nullptr;
     int* opened = nullptr;  // the block of each child, or -1
 };
@@ -99,6 +101,32 @@ struct StartRays {
     double base = 0;
 };
 
+/// The cells on the way from an object to a hit: one in each lane, the start cell and what is
+/// outside it first, the same for all rays that hit below it.
+struct Path {
+    static constexpr int capacity = 64;  // levels; deeper hits are shaded by the clear kernels
+    static constexpr int map = 0;        // 12: U, V, W, o
+    static constexpr int base = 12;
+    static constexpr int from_start = 13;  // base less the start cell's
+    static constexpr int diameter = 14;
+    static constexpr int row_count = 15;
+
+    alignas(64) float rows[row_count][capacity];
+    int shared = 0;          // levels that all rays share; those of a single ray follow
+    std::uint32_t hash = 0;  // of the shared symbols, unfinished
+    std::array<float, 3> color{};
+};
+
+/// A hit as the picture wants it.
+struct Shaded {
+    std::array<float, 3> color;
+    std::array<float, 3> normal;
+    float t;  // scene units
+    int object;
+    int level;
+    std::uint32_t word;
+};
+
 struct Workspace {
     TileView tile;
     std::vector<SharedCell> cells;
@@ -110,11 +138,17 @@ struct Workspace {
     std::array<Found, tile_rays> found;
     std::array<double, tile_rays> best;  // depth of what was found, else infinity
     std::uint64_t shared_tests = 0;
+    std::vector<Path> paths;
+    std::size_t paths_used = 0;
     hwy::AlignedFreeUniquePtr<double[]> scratch;  // children of a shared cell, in lanes
 };
 
 /// Fills in `found` for the tile in the workspace, on the widest registers there are.
 void search_tile(const WideScene& scene, Workspace& work);
+
+/// Shades what a ray of the tile has found. False if the walk along the path does not confirm it in
+/// float: the clear kernels are to judge.
+[[nodiscard]] bool shade_hit(const WideScene& scene, Workspace& work, int ray, Shaded& shaded);
 
 /// The symbols of a found cell, outermost first.
 void word_of(const WideScene& scene, const Workspace& work, const Found& found,

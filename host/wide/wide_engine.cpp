@@ -56,22 +56,39 @@ class TileRenderer {
         const auto x = static_cast<std::uint32_t>(left + ray % tile_side);
         const auto y = static_cast<std::uint32_t>(top + ray / tile_side);
         const Found& found = work_.found[static_cast<std::size_t>(ray)];
+        if (!found.given_up && store(found, ray, frame_.at(x, y))) return;
+        ++again;
         result_.counts = {};
         constants_.search.ray = kernels::eye_ray(node_, x, y);
-        bool done = !found.given_up;
-        if (done && found.start < 0) {
-            result_.found.outcome = kernels::Outcome::miss;
-            result_.color = constants_.background;
-        } else if (done) {
-            done = shade(found);
-        }
-        if (!done) {
+        if (found.given_up || !shade(found)) {
             kernels::render_pixel(node_, constants_, heap_, x, y, result_);
-            ++again;
         }
         result_.counts.volumes_tested += scene_.objects.size() + found.tested;
         gather_pixel(scene_, block_, result_, frame_.at(x, y), rays);
         frame_.at(x, y).node = static_cast<std::uint32_t>(ray);
+    }
+    /// Stores a miss, or a hit that can be confirmed in float.
+    bool store(const Found& found, int ray, PixelRecord& pixel) {
+        const auto tested = static_cast<std::uint32_t>(scene_.objects.size()) + found.tested;
+        if (found.start < 0) {
+            std::ranges::copy(wide_.background, pixel.color);
+        } else {
+            Shaded shaded;
+            if (!shade_hit(wide_, work_, ray, shaded)) return false;
+            std::ranges::copy(shaded.color, pixel.color);
+            std::ranges::copy(shaded.normal, pixel.normal);
+            pixel.alpha = 1;
+            pixel.z = static_cast<float>(static_cast<double>(shaded.t) * wide_.unit);
+            pixel.object = shaded.object;
+            pixel.level = shaded.level;
+            pixel.word = shaded.word;
+            ++rays.hits;
+        }
+        pixel.volumes = tested;
+        pixel.node = static_cast<std::uint32_t>(ray);
+        ++rays.eye_rays;
+        rays.volumes_tested += tested;
+        return true;
     }
     bool shade(const Found& found) {
         word_of(wide_, work_, found, word_);

@@ -66,10 +66,16 @@ WideSet make_set(const CompiledShape& shape, const CompiledSet& set, int first_s
         write_child(wide.twice, lane, step, map, inner.diameter);
         write_child(wide.single, lane, step, map, inner.diameter);
         wide.maps.push_back(symbol);
+        wide.colors.push_back({static_cast<float>(map.color.r), static_cast<float>(map.color.g),
+                               static_cast<float>(map.color.b), static_cast<float>(map.color.a)});
         wide.sets.push_back(first_set + map.follow_set);
         wide.spheres = inner.kind == kernels::Volume::sphere;
     }
     return wide;
+}
+
+std::array<float, 3> floats(const glm::dvec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
 bool mixed_volumes(const CompiledShape& shape) {
@@ -108,6 +114,11 @@ WideScene make_wide_scene(const CompiledScene& scene) {
     wide.camera = scene.camera;
     wide.detail = scene.detail;
     wide.cell_cap = scene.cell_cap;
+    wide.unit = scene.unit;
+    wide.shading = scene.shading;
+    wide.ambient = floats(scene.ambient);
+    wide.background = floats(scene.background);
+    wide.lights = scene.lights;
     std::vector<int> first_sets;
     for (const CompiledShape& shape : scene.shapes) {
         first_sets.push_back(static_cast<int>(wide.sets.size()));
@@ -128,6 +139,12 @@ WideScene make_wide_scene(const CompiledScene& scene) {
         result.diameter = volume.diameter;
         result.smallest_pixel = smallest_pixel_share<double>() * object.diameter;
         result.levels = object.levels;
+        result.one_kind = std::ranges::all_of(
+            shape.sets, [&](const CompiledSet& set) { return set.volume.kind == volume.kind; });
+        result.colored =
+            std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
+        result.color = floats(object.color);
+        result.diffuse = static_cast<float>(object.diffuse);
         wide.objects.push_back(result);
     }
     return wide;

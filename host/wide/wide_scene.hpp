@@ -6,6 +6,7 @@
 
 #include <hwy/aligned_allocator.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -54,6 +55,7 @@ struct WideSet {
     bool spheres = true;    // the children's volumes: all balls, or all boxes
     bool polar = false;     // their diameters need the composed linear part (Sec. 16.2)
     std::vector<int> maps;  // symbol of each child
+    std::vector<std::array<float, 4>> colors;  // r, g, b, a of each child's map
     std::vector<int> sets;  // follow set of each child, counted through all shapes
     LaneTable<double> twice;
     LaneTable<float> single;
@@ -69,6 +71,10 @@ struct WideObject {
     double diameter = 0;  // of the outermost volume, in the shape's coordinates
     double smallest_pixel = 0;
     std::uint32_t levels = 0;
+    bool one_kind = true;  // all volumes are balls, or all are boxes
+    bool colored = false;  // a map has a colour
+    std::array<float, 3> color{};
+    float diffuse = 0;
 };
 
 struct WideScene {
@@ -77,6 +83,11 @@ struct WideScene {
     CompiledCamera camera;
     double detail = 1;
     std::uint32_t cell_cap = 0;
+    double unit = 1;
+    kernels::ShadingMode shading = kernels::ShadingMode::constant;
+    std::array<float, 3> ambient{};
+    std::array<float, 3> background{};
+    std::vector<CompiledLight> lights;
 };
 
 /// Why this scene cannot be rendered by the wide engine; empty if it can.
