@@ -76,6 +76,41 @@ inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
     return &path;
 }
 
+/// The same for a path of homotheties: a cell is its centre and size.
+inline int add_own_homotheties(const WideScene& scene, const Workspace& work, const Found& found,
+                               Path& path, std::uint32_t& hash, std::array<float, 3>& color) {
+    if (path.shared + found.below_count > Path::capacity) return 0;
+    const SharedCell& cell = work.cells[static_cast<std::size_t>(found.start)];
+    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
+    const int start = path.shared - 1;
+    float center[3] = {0, 0, 0};
+    float size = 1;
+    auto constant = static_cast<float>(cell.constant);
+    int set_index = cell.set;
+    for (int k = 0; k < found.below_count; ++k) {
+        const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
+        const std::size_t lane = found.below[static_cast<std::size_t>(k)];
+        const HomothetyTable& table = set.children;
+        const int level = path.shared + k;
+        for (int axis = 0; axis < 3; ++axis) center[axis] += size * table.rows.row(axis)[lane];
+        size *= table.rows.row(HomothetyTable::scale)[lane];
+        const float inverse = 1 / size;
+        for (int i = 0; i < 9; ++i) path.rows[i][level] = path.rows[i][start] * inverse;
+        for (int axis = 0; axis < 3; ++axis) {
+            path.rows[9 + axis][level] = (path.rows[9 + axis][start] - center[axis]) * inverse;
+        }
+        path.rows[Path::base][level] = path.rows[Path::base][start];
+        path.rows[Path::from_start][level] = 0;
+        path.rows[Path::diameter][level] =
+            constant * table.rows.row(HomothetyTable::diameter)[lane];
+        constant *= table.rows.row(HomothetyTable::constant)[lane];
+        hash = hash_symbol(hash, set.maps[lane]);
+        if (object.colored) blend(color, set.colors[lane]);
+        set_index = set.sets[lane];
+    }
+    return path.shared + found.below_count;
+}
+
 /// Adds the levels of a single ray to a path. Returns the number of levels, or 0 if too many.
 inline int add_own_levels(const WideScene& scene, const Workspace& work, const Found& found,
                           Path& path, std::uint32_t& hash, std::array<float, 3>& color) {
@@ -83,6 +118,9 @@ inline int add_own_levels(const WideScene& scene, const Workspace& work, const F
     using V = hn::VFromD<decltype(d)>;
     hash = path.hash;
     color = path.color;
+    if (found.below_count >= 0) {
+        return add_own_homotheties(scene, work, found, path, hash, color);
+    }
     if (found.block < 0) return path.shared;
     const Block* blocks = work.blocks.data();
     const int own = static_cast<int>(blocks[found.block].level) + 1 - path.shared;

@@ -149,9 +149,10 @@ inline int meet_children(const Block& block, const WideSet& set, const RayInStar
         const auto terminal = block.last ? hn::FirstN(d, hn::Lanes(d)) : hn::Le(diameter, p);
         const auto lane = hn::Or(hn::Iota(di, i), hn::IfThenElseZero(hn::RebindMask(di, terminal),
                                                                      hn::Set(di, terminal_bit)));
-        hn::CompressStore(from, met, d, keys + count);
-        hn::CompressStore(hn::Max(from, to), met, d, exits + count);
-        hn::CompressStore(lane, hn::RebindMask(di, met), di, lanes + count);
+        // In registers, then whole ones to memory: compressing stores are microcode on some chips.
+        hn::StoreU(hn::Compress(from, met), d, keys + count);
+        hn::StoreU(hn::Compress(hn::Max(from, to), met), d, exits + count);
+        hn::StoreU(hn::Compress(lane, hn::RebindMask(di, met)), di, lanes + count);
         count += static_cast<int>(hn::CountTrue(d, met));
     }
     return count;

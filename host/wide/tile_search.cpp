@@ -11,13 +11,14 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "host/wide/fixed_direction.inl"
 #include "host/wide/shade_hit.inl"
 #include "host/wide/start_cell.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
 
-constexpr double start_pixels = 12;  // the largest diameter of a start cell
+constexpr double start_pixels = 16;  // the largest diameter of a start cell
 
 /// The depth beyond which no ray of the tile looks any more.
 inline double farthest_best(const Workspace& work) {
@@ -39,7 +40,11 @@ void search(const WideScene& scene, Workspace& work) {
         const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
         if (cell.level == object.levels ||
             cell.diameter <= start_pixels * pixel_at(scene, cell.object, near)) {
-            visit_start_cell(scene, work, index);
+            if (object.fixed_direction) {
+                visit_homotheties(scene, work, index);
+            } else {
+                visit_start_cell(scene, work, index);
+            }
         } else {
             open_shared_cell(scene, work, index);
         }
@@ -72,6 +77,9 @@ void search_tile(const WideScene& scene, Workspace& work) {
     work.blocks.clear();
     work.arena.clear();
     work.paths_used = 0;
+    ++work.tile_number;
+    work.turned.resize(2 * scene.sets.size());
+    work.turned_for.resize(2 * scene.sets.size(), 0);
     work.shared_tests = 0;
     work.found.fill(Found{});
     work.best.fill(std::numeric_limits<double>::infinity());
@@ -85,6 +93,16 @@ bool shade_hit(const WideScene& scene, Workspace& work, int ray, Shaded& shaded)
 void word_of(const WideScene& scene, const Workspace& work, const Found& found,
              std::vector<int>& word) {
     word.clear();
+    if (found.below_count > 0) {
+        int set_index = work.cells[static_cast<std::size_t>(found.start)].set;
+        for (int k = 0; k < found.below_count; ++k) {
+            const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
+            const std::size_t lane = found.below[static_cast<std::size_t>(k)];
+            word.push_back(set.maps[lane]);
+            set_index = set.sets[lane];
+        }
+        std::ranges::reverse(word);
+    }
     int lane = found.lane;
     for (int index = found.block; index >= 0;) {
         const Block& block = work.blocks[static_cast<std::size_t>(index)];

@@ -62,6 +62,10 @@ struct Found {
     double depth = 0;
     std::uint32_t tested = 0;  // volumes tested for this ray alone
     bool given_up = false;     // too many of them
+    // Below a start cell of homotheties, instead of a block: lanes in the sets' tables.
+    static constexpr int most_below = 30;
+    int below_count = -1;  // -1: a block and a lane
+    std::array<std::uint16_t, most_below> below;
 };
 
 /// Floats and ints that live until the tile is done.
@@ -88,6 +92,21 @@ struct Waiting {
     float exit;
     int block;
     int lane;
+};
+
+/// A cell of homotheties that a ray opened: for balls the centre beside the ray and its depth, for
+/// boxes the depth of the centre along each axis.
+struct Opened {
+    float x;
+    float y;
+    float z;
+    float size;      // of the cell, to the start cell
+    float constant;  // Lipschitz constant of the composed map
+    int set;
+    int parent;  // in the list of opened cells
+    int lane;    // in the parent's table
+    int level;   // below the start cell
+    bool two;    // its grandchildren were tested at once
 };
 
 /// A start cell as the tile's rays see it, and what the rays below it need.
@@ -135,6 +154,10 @@ struct Workspace {
     Arena arena;
     StartRays start;
     std::vector<Waiting> stack;
+    std::vector<Opened> opened;
+    std::vector<LaneTable<float>> turned;   // homothety tables in the tile's frame
+    std::vector<std::uint64_t> turned_for;  // (tile, object) they are right for
+    std::uint64_t tile_number = 0;
     std::array<Found, tile_rays> found;
     std::array<double, tile_rays> best;  // depth of what was found, else infinity
     std::uint64_t shared_tests = 0;

@@ -33,6 +33,7 @@ void set_rays(TileView& tile, const Fan& fan, bool perspective) {
             tile.v1[ray] = perspective ? static_cast<float>(v) : 0.0F;
             tile.stretch[ray] =
                 perspective ? static_cast<float>(std::sqrt(1 + u * u + v * v)) : 1.0F;
+            tile.shrink2[ray] = perspective ? static_cast<float>(1 / (1 + u * u + v * v)) : 1.0F;
             double& reach_u = perspective ? tile.reach_u1 : tile.reach_u0;
             double& reach_v = perspective ? tile.reach_v1 : tile.reach_v0;
             reach_u = std::max(reach_u, std::abs(u));

@@ -26,6 +26,7 @@ struct TileView {
     alignas(64) float v0[tile_rays];
     alignas(64) float v1[tile_rays];
     alignas(64) float stretch[tile_rays];
+    alignas(64) float shrink2[tile_rays];  // 1 / stretch^2
     std::uint64_t inside = 0;  // rays whose pixel is to be rendered, bit 8 * row + column
 };
 

@@ -8,6 +8,7 @@
 
 #include "host/fractal/lipschitz.hpp"
 #include "host/render/scene_block.hpp"
+#include "host/wide/homotheties.hpp"
 
 namespace pxm::host::wide {
 
@@ -145,8 +146,10 @@ WideScene make_wide_scene(const CompiledScene& scene) {
             std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
         result.color = floats(object.color);
         result.diffuse = static_cast<float>(object.diffuse);
+        result.fixed_direction = has_fixed_direction(scene, object);
         wide.objects.push_back(result);
     }
+    tabulate_homotheties(wide);
     return wide;
 }
 

@@ -48,6 +48,24 @@ class LaneTable {
     hwy::AlignedFreeUniquePtr<T[]> data_;
 };
 
+/// The children of a cell whose maps are homotheties, or all its grandchildren: where their centres
+/// are in the cell's unit coordinates, and how large they are.
+struct HomothetyTable {
+    static constexpr int center = 0;    // 3
+    static constexpr int scale = 3;     // of the child to the cell
+    static constexpr int constant = 4;  // product of the maps' Lipschitz constants
+    static constexpr int diameter = 5;  // the same times the diameter of the child's volume
+    static constexpr int row_count = 6;
+
+    int count = 0;
+    int stride = 0;
+    int steps = 1;            // levels down: 1 or 2
+    float least_skipped = 0;  // diameter of the smallest cell between, two steps down
+    std::vector<std::array<std::uint16_t, 2>> lanes;  // of each step, in the sets' tables
+    std::vector<int> sets;
+    LaneTable<float> rows;
+};
+
 /// A follow set: its children in lanes, twice.
 struct WideSet {
     int count = 0;
@@ -59,6 +77,8 @@ struct WideSet {
     std::vector<int> sets;  // follow set of each child, counted through all shapes
     LaneTable<double> twice;
     LaneTable<float> single;
+    HomothetyTable children;       // empty unless the object is `fixed_direction`
+    HomothetyTable grandchildren;  // empty unless they fit one table_step
 };
 
 /// An object: from scene units to the unit coordinates of its outermost volume.
@@ -73,6 +93,9 @@ struct WideObject {
     std::uint32_t levels = 0;
     bool one_kind = true;  // all volumes are balls, or all are boxes
     bool colored = false;  // a map has a colour
+    /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
+    /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
+    bool fixed_direction = false;
     std::array<float, 3> color{};
     float diffuse = 0;
 };
