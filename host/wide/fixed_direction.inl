@@ -14,6 +14,7 @@
 #include <bit>
 #include <cmath>
 
+#include "host/wide/fixed_levels.inl"
 #include "host/wide/start_cell.inl"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,8 +28,14 @@ struct FixedRay {
     float pixel_base;
     float pixel_growth;
     float pixel_least;
-    float eye;   // depth of the eye: keys are no less
-    float best;  // depth of the nearest terminal cell yet
+    float eye;         // depth of the eye: keys are no less
+    float pass_share;  // allowed_share, of p itself
+    float best;        // no cell beyond is of interest
+    float found = 0;   // depth of the terminal cell found
+
+    [[nodiscard]] float pixel(float depth) const {
+        return std::max(pixel_base + pixel_growth * depth, pixel_least);
+    }
 };
 
 /// Children that a ray meets: depth and lane, terminal_bit as elsewhere.
@@ -150,33 +157,14 @@ struct BoxRay : FixedRay {
     }
 };
 
-/// The centres of a table in the tile's frame, in units of the cell's radius.
-inline const LaneTable<float>& turned_table(const WideScene& scene, Workspace& work,
-                                            const SharedCell& start, int set_index, bool two) {
-    const hn::ScalableTag<float> d;
-    using V = hn::VFromD<decltype(d)>;
-    const auto at = 2 * static_cast<std::size_t>(set_index) + (two ? 1 : 0);
-    const std::uint64_t stamp =
-        work.tile_number * scene.objects.size() + static_cast<std::uint64_t>(start.object) + 1;
-    LaneTable<float>& turned = work.turned[at];
-    if (work.turned_for[at] == stamp) return turned;
-    const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
-    const HomothetyTable& table = two ? set.grandchildren : set.children;
-    if (work.turned_for[at] == 0) turned = LaneTable<float>(3, table.stride);
-    work.turned_for[at] = stamp;
-    const double* w = start.rows.data() + 6;
-    const double radius = 1 / std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-    for (int i = 0; i < table.stride; i += static_cast<int>(hn::Lanes(d))) {
-        const Lanes3<V> q = load3(d, table.rows.row(0) + i, table.stride);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double* u = start.rows.data() + 3 * axis;
-            const Lanes3<V> unit{hn::Set(d, static_cast<float>(u[0] * radius)),
-                                 hn::Set(d, static_cast<float>(u[1] * radius)),
-                                 hn::Set(d, static_cast<float>(u[2] * radius))};
-            hn::StoreU(dot(q, unit), d, turned.row(axis) + i);
-        }
+/// The centres of a set's table as the rays take them: for balls in the tile's frame.
+inline const LaneTable<float>& centers_of(const WideScene& scene, Workspace& work,
+                                          const FixedCell& start, int set_index, bool two) {
+    if (scene.objects[static_cast<std::size_t>(start.object)].spheres) {
+        return work.turned[turn_table(scene, work, start.object, set_index, two)];
     }
-    return turned;
+    const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
+    return two ? set.grandchildren.rows : set.children.rows;
 }
 
 /// Writes the lanes that lead to lane `lane` of an opened cell.
@@ -219,7 +207,7 @@ HWY_INLINE bool two_levels(const Ray& ray, const WideSet& set, const Opened& cel
 
 /// As follow_ray(), for cells of homotheties. `first` is the start cell.
 template <class Ray>
-inline bool follow_fixed(const WideScene& scene, Workspace& work, const SharedCell& start, Ray& ray,
+inline bool follow_fixed(const WideScene& scene, Workspace& work, const FixedCell& start, Ray& ray,
                          const Opened& first, std::uint32_t last_level, Found& found) {
     MetLanes met;
     std::vector<Waiting>& stack = work.stack;
@@ -236,18 +224,18 @@ inline bool follow_fixed(const WideScene& scene, Workspace& work, const SharedCe
         cell.two = two_levels(ray, set, cell, level, last_level);
         const HomothetyTable& table = cell.two ? set.grandchildren : set.children;
         const bool last = level + static_cast<std::uint32_t>(table.steps) == last_level;
-        const LaneTable<float>& turned =
-            start.spheres ? turned_table(scene, work, start, cell.set, cell.two) : table.rows;
+        const LaneTable<float>& turned = centers_of(scene, work, start, cell.set, cell.two);
         ray.meet(cell, table, turned, last, met);
         found.tested += static_cast<std::uint32_t>(table.count);
         const std::size_t bottom = stack.size();
         int best_lane = -1;
+        float nearest = ray.best;
         for (int i = 0; i < met.count; ++i) {
             const float key = met.keys[i];
-            if (!(key < ray.best)) continue;
+            if (!(key < nearest)) continue;
             const std::int32_t lane = met.lanes[i] & ~terminal_bit;
             if (met.lanes[i] & terminal_bit) {
-                ray.best = key;
+                nearest = key;
                 best_lane = lane;
                 continue;
             }
@@ -258,6 +246,8 @@ inline bool follow_fixed(const WideScene& scene, Workspace& work, const SharedCe
         }
         if (best_lane >= 0) {
             keep_word(scene, work, index, best_lane, found);
+            ray.found = nearest;
+            ray.best = nearest - ray.pass_share * ray.pixel(nearest);
             improved = true;
         }
         if (found.tested >= scene.cell_cap) found.given_up = true;
@@ -269,8 +259,7 @@ inline bool follow_fixed(const WideScene& scene, Workspace& work, const SharedCe
         const WideSet& outer_set = scene.sets[static_cast<std::size_t>(outer.set)];
         const HomothetyTable& from = outer.two ? outer_set.grandchildren : outer_set.children;
         Opened child;
-        const LaneTable<float>& from_turned =
-            start.spheres ? turned_table(scene, work, start, outer.set, outer.two) : from.rows;
+        const LaneTable<float>& from_turned = centers_of(scene, work, start, outer.set, outer.two);
         ray.place(outer, from, from_turned, next.lane, child);
         child.constant = outer.constant * from.rows.row(HomothetyTable::constant)[next.lane];
         child.set = from.sets[static_cast<std::size_t>(next.lane)];
@@ -289,18 +278,12 @@ struct BallRays {
     alignas(64) float key[tile_rays];
 };
 
-inline std::uint64_t meet_ball(const TileView& tile, const SharedCell& cell, double radius,
-                               BallRays& rays) {
+inline std::uint64_t meet_ball(const TileView& tile, const FixedCell& cell, BallRays& rays) {
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
-    const double* rows = cell.rows.data();
-    const auto beside = [&](int axis) {
-        const double* u = rows + 3 * axis;
-        return static_cast<float>(-(rows[9] * u[0] + rows[10] * u[1] + rows[11] * u[2]) * radius);
-    };
-    const V center_x = hn::Set(d, beside(0)), center_y = hn::Set(d, beside(1));
-    const V far = hn::Set(d, static_cast<float>(cell.base / radius));
-    const V near = hn::Set(d, static_cast<float>(1 / radius));
+    const auto over = [&](double x) { return hn::Set(d, static_cast<float>(x / cell.size)); };
+    const V center_x = over(cell.center[0]), center_y = over(cell.center[1]);
+    const V far = over(cell.center[2]), near = over(1);
     const V behind_eye = hn::Neg(far);
     std::uint64_t met = 0;
     for (int i = 0; i < tile_rays; i += static_cast<int>(hn::Lanes(d))) {
@@ -332,22 +315,32 @@ inline std::uint64_t meet_ball(const TileView& tile, const SharedCell& cell, dou
 
 /// As visit_start_cell(), for an object with a fixed direction.
 inline void visit_homotheties(const WideScene& scene, Workspace& work, int index) {
-    const SharedCell cell = work.cells[static_cast<std::size_t>(index)];
+    const FixedCell cell = work.fixed_cells[static_cast<std::size_t>(index)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
     const TileView& tile = work.tile;
-    const double* w = cell.rows.data() + 6;
-    const double length = cell.spheres ? 1 / std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) : 1;
     BallRays balls;
     StartRays& boxes = work.start;
-    std::uint64_t met =
-        cell.spheres ? meet_ball(tile, cell, length, balls) : meet_start_cell(work, cell, boxes);
-    const float* keys = cell.spheres ? balls.key : boxes.key;
+    double base = cell.center[2];
+    double length = cell.size;
+    std::uint64_t met = 0;
+    if (object.spheres) {
+        met = meet_ball(tile, cell, balls);
+    } else {
+        SharedCell box;
+        box.spheres = false;
+        rows_of(object, tile, cell, box.rows, box.base);
+        met = meet_start_cell(work, box, boxes);
+        base = box.base;
+        length = 1;
+    }
+    const float* keys = object.spheres ? balls.key : boxes.key;
     Opened first{0, 0, 0, 1, static_cast<float>(cell.constant), cell.set, -1, 0, 0, false};
     FixedRay fixed;
     const auto least = static_cast<float>(scene.detail * object.smallest_pixel);
     fixed.pixel_least = least;
-    fixed.eye = static_cast<float>(-cell.base / length);
-    const auto base_p = static_cast<float>(scene.detail * scene.camera.pixel_growth * cell.base);
+    fixed.pass_share = allowed_share / static_cast<float>(scene.detail);
+    fixed.eye = static_cast<float>(-base / length);
+    const auto base_p = static_cast<float>(scene.detail * scene.camera.pixel_growth * base);
     const auto growth = static_cast<float>(scene.detail * scene.camera.pixel_growth * length);
     const auto at_eye = static_cast<float>(scene.detail * scene.camera.pixel_at_eye);
     const auto diameter = static_cast<float>(cell.diameter);
@@ -357,21 +350,21 @@ inline void visit_homotheties(const WideScene& scene, Workspace& work, int index
         const auto at = static_cast<std::size_t>(i);
         Found& found = work.found[at];
         ++found.tested;
-        const float best = static_cast<float>((work.best[at] - cell.base) / length);
+        const float best = static_cast<float>((work.best[at] - base) / length);
         if (!(keys[i] < best)) continue;
         fixed.best = best;
         fixed.pixel_base = at_eye + base_p * tile.stretch[i];
         fixed.pixel_growth = growth * tile.stretch[i];
-        const float p = std::max(fixed.pixel_base + fixed.pixel_growth * keys[i], least);
+        const float p = fixed.pixel(keys[i]);
         float depth = keys[i];
         if (last || diameter <= p) {
             found.below_count = 0;
-        } else if (cell.spheres) {
+        } else if (object.spheres) {
             BallRay ray{fixed, tile.u1[i], tile.v1[i], tile.shrink2[i]};
             first.x = balls.x[i];
             first.y = balls.y[i];
             if (!follow_fixed(scene, work, cell, ray, first, object.levels, found)) continue;
-            depth = ray.best;
+            depth = ray.found;
         } else {
             BoxRay ray{fixed, {}};
             float* const place[3] = {&first.x, &first.y, &first.z};
@@ -381,11 +374,10 @@ inline void visit_homotheties(const WideScene& scene, Workspace& work, int index
                 *place[k] = -boxes.origin[k][i] * ray.pace[k];
             }
             if (!follow_fixed(scene, work, cell, ray, first, object.levels, found)) continue;
-            depth = ray.best;
+            depth = ray.found;
         }
-        found.start = index;
-        found.depth = cell.base + static_cast<double>(depth) * length;
-        work.best[at] = found.depth;
+        note_found(work, i, index, base + static_cast<double>(depth) * length,
+                   static_cast<double>(p) / scene.detail);
     }
 }
 

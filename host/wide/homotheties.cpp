@@ -94,11 +94,15 @@ HomothetyTable empty_table(std::size_t count, int steps) {
     table.stride = (table.count + table_step - 1) / table_step * table_step;
     table.steps = steps;
     table.rows = LaneTable<float>(HomothetyTable::row_count, table.stride);
+    table.twice = LaneTable<double>(HomothetyTable::row_count, table.stride);
     return table;
 }
 
 void put(HomothetyTable& table, int lane, const Step& step) {
-    const auto row = [&](int i, double x) { table.rows.row(i)[lane] = static_cast<float>(x); };
+    const auto row = [&](int i, double x) {
+        table.rows.row(i)[lane] = static_cast<float>(x);
+        table.twice.row(i)[lane] = x;
+    };
     for (int axis = 0; axis < 3; ++axis) row(HomothetyTable::center + axis, step.center[axis]);
     row(HomothetyTable::scale, step.scale);
     row(HomothetyTable::constant, step.constant);

@@ -12,6 +12,7 @@
 
 #include <cmath>
 
+#include "host/wide/fixed_levels.inl"
 #include "host/wide/lanes.inl"
 #include "host/wide/tile_search.hpp"
 
@@ -39,18 +40,36 @@ inline std::size_t child_lane(const WideSet& set, int symbol) {
     return static_cast<std::size_t>(found - set.maps.begin());
 }
 
+/// A path to fill in, for a start cell at that level.
+inline Path& new_path(const WideScene& scene, Workspace& work, int object, std::uint32_t level,
+                      int& index) {
+    if (work.paths.size() == work.paths_used) work.paths.push_back(Path{});
+    index = static_cast<int>(work.paths_used++);
+    Path& path = work.paths[static_cast<std::size_t>(index)];
+    path.shared = static_cast<int>(level) + 1;
+    path.object = object;
+    path.color = scene.objects[static_cast<std::size_t>(object)].color;
+    path.hash = 0x811C'9DC5;
+    return path;
+}
+
+inline void put_level(Path& path, int level, const std::array<double, 12>& rows, double base,
+                      double diameter) {
+    for (std::size_t i = 0; i < 12; ++i) {
+        path.rows[Path::map + i][level] = static_cast<float>(rows[i]);
+    }
+    path.rows[Path::base][level] = static_cast<float>(base);
+    path.rows[Path::from_start][level] = static_cast<float>(base - path.start_base);
+    path.rows[Path::diameter][level] = static_cast<float>(diameter);
+}
+
 /// The path of a start cell, its shared levels filled in. Null if it is too long.
 inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
     SharedCell& cell = work.cells[static_cast<std::size_t>(start)];
     if (cell.level + 1 > Path::capacity) return nullptr;
     if (cell.path >= 0) return &work.paths[static_cast<std::size_t>(cell.path)];
-    if (work.paths.size() == work.paths_used) work.paths.push_back(Path{});
-    cell.path = static_cast<int>(work.paths_used++);
-    Path& path = work.paths[static_cast<std::size_t>(cell.path)];
-    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    path.shared = static_cast<int>(cell.level) + 1;
-    path.color = object.color;
-    path.hash = 0x811C'9DC5;
+    Path& path = new_path(scene, work, cell.object, cell.level, cell.path);
+    path.start_base = cell.base;
     int cells[Path::capacity];
     int at = start;
     for (int level = path.shared - 1; level >= 0; --level) {
@@ -58,29 +77,53 @@ inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
         at = work.cells[static_cast<std::size_t>(at)].parent;
     }
     for (int level = 0; level < path.shared; ++level) {
-        const SharedCell& outer = work.cells[static_cast<std::size_t>(cells[level])];
-        for (int i = 0; i < 12; ++i) {
-            path.rows[Path::map + i][level] =
-                static_cast<float>(outer.rows[static_cast<std::size_t>(i)]);
-        }
-        path.rows[Path::base][level] = static_cast<float>(outer.base);
-        path.rows[Path::from_start][level] = static_cast<float>(outer.base - cell.base);
-        path.rows[Path::diameter][level] = static_cast<float>(outer.diameter);
+        const SharedCell& inner = work.cells[static_cast<std::size_t>(cells[level])];
+        put_level(path, level, inner.rows, inner.base, inner.diameter);
         if (level == 0) continue;
-        path.hash = hash_symbol(path.hash, outer.symbol);
-        if (!object.colored) continue;
-        const SharedCell& parent = work.cells[static_cast<std::size_t>(outer.parent)];
+        path.hash = hash_symbol(path.hash, inner.symbol);
+        if (!scene.objects[static_cast<std::size_t>(cell.object)].colored) continue;
+        const SharedCell& parent = work.cells[static_cast<std::size_t>(inner.parent)];
         const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
-        blend(path.color, set.colors[child_lane(set, outer.symbol)]);
+        blend(path.color, set.colors[child_lane(set, inner.symbol)]);
     }
     return &path;
 }
 
-/// The same for a path of homotheties: a cell is its centre and size.
+/// The same for homotheties.
+inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
+    FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(start)];
+    if (cell.level + 1 > Path::capacity) return nullptr;
+    if (cell.path >= 0) return &work.paths[static_cast<std::size_t>(cell.path)];
+    Path& path = new_path(scene, work, cell.object, cell.level, cell.path);
+    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
+    std::array<double, 12> rows;
+    rows_of(object, work.tile, cell, rows, path.start_base);
+    int cells[Path::capacity];
+    int at = start;
+    for (int level = path.shared - 1; level >= 0; --level) {
+        cells[level] = at;
+        at = work.fixed_cells[static_cast<std::size_t>(at)].parent;
+    }
+    for (int level = 0; level < path.shared; ++level) {
+        const FixedCell& inner = work.fixed_cells[static_cast<std::size_t>(cells[level])];
+        double base = 0;
+        rows_of(object, work.tile, inner, rows, base);
+        put_level(path, level, rows, base, inner.diameter);
+        if (level == 0) continue;
+        const FixedCell& parent = work.fixed_cells[static_cast<std::size_t>(inner.parent)];
+        const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
+        const auto lane = static_cast<std::size_t>(inner.lane);
+        path.hash = hash_symbol(path.hash, set.maps[lane]);
+        if (object.colored) blend(path.color, set.colors[lane]);
+    }
+    return &path;
+}
+
+/// Adds the levels of a single ray to a path of homotheties: a cell is its centre and size.
 inline int add_own_homotheties(const WideScene& scene, const Workspace& work, const Found& found,
                                Path& path, std::uint32_t& hash, std::array<float, 3>& color) {
     if (path.shared + found.below_count > Path::capacity) return 0;
-    const SharedCell& cell = work.cells[static_cast<std::size_t>(found.start)];
+    const FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(found.start)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
     const int start = path.shared - 1;
     float center[3] = {0, 0, 0};
@@ -274,14 +317,14 @@ inline std::array<float, 3> lit(const WideScene& scene, const std::array<float, 
 
 /// Walks the path: false unless the ray meets every cell, and the last one alone is terminal.
 inline bool confirm(const WideScene& scene, const Workspace& work, const Path& path, int levels,
-                    int ray, const SharedCell& start, const PathHits& hits, float& depth) {
-    const WideObject& object = scene.objects[static_cast<std::size_t>(start.object)];
+                    int ray, const PathHits& hits, float& depth) {
+    const WideObject& object = scene.objects[static_cast<std::size_t>(path.object)];
     const double growth = scene.camera.pixel_growth * static_cast<double>(work.tile.stretch[ray]);
     const auto p0 =
-        static_cast<float>(scene.detail * (scene.camera.pixel_at_eye + growth * start.base));
+        static_cast<float>(scene.detail * (scene.camera.pixel_at_eye + growth * path.start_base));
     const auto p1 = static_cast<float>(scene.detail * growth);
     const auto least = static_cast<float>(scene.detail * object.smallest_pixel);
-    float key = static_cast<float>(-start.base);
+    float key = static_cast<float>(-path.start_base);
     float exit = std::numeric_limits<float>::infinity();
     for (int level = 0; level < levels; ++level) {
         if (!(hits.key[level] <= hits.exit[level])) return false;  // NaN as well
@@ -298,11 +341,11 @@ inline bool confirm(const WideScene& scene, const Workspace& work, const Path& p
 
 inline bool shade(const WideScene& scene, Workspace& work, int ray, Shaded& shaded) {
     const Found& found = work.found[static_cast<std::size_t>(ray)];
-    const SharedCell& start = work.cells[static_cast<std::size_t>(found.start)];
-    const WideObject& object = scene.objects[static_cast<std::size_t>(start.object)];
-    if (!object.one_kind) return false;
-    Path* path = path_of(scene, work, found.start);
+    Path* path = found.below_count >= 0 ? path_of_fixed(scene, work, found.start)
+                                        : path_of(scene, work, found.start);
     if (path == nullptr) return false;
+    const WideObject& object = scene.objects[static_cast<std::size_t>(path->object)];
+    if (!object.one_kind) return false;
     std::uint32_t hash = 0;
     std::array<float, 3> color;
     const int levels = add_own_levels(scene, work, found, *path, hash, color);
@@ -310,10 +353,10 @@ inline bool shade(const WideScene& scene, Workspace& work, int ray, Shaded& shad
     PathHits hits;
     hit_path(work, *path, levels, ray, object.spheres, PathSide::entry, hits);
     float depth = 0;
-    if (!confirm(scene, work, *path, levels, ray, start, hits, depth)) return false;
+    if (!confirm(scene, work, *path, levels, ray, hits, depth)) return false;
     const float* diameters = path->rows[Path::diameter];
     NormalSum total(scene.shading, diameters[0]);
-    const auto eye = static_cast<float>(-start.base);
+    const auto eye = static_cast<float>(-path->start_base);
     const bool facet = scene.shading == kernels::ShadingMode::facet;
     for (int level = facet ? levels - 1 : 0; level < levels; ++level) {
         if (eye < hits.key[level]) total.add(hits, level, diameters[level]);
@@ -323,7 +366,7 @@ inline bool shade(const WideScene& scene, Workspace& work, int ray, Shaded& shad
         total.add(hits, levels - 1, diameters[levels - 1]);
     }
     const std::array<float, 3> local = total.unit();
-    const double z = start.base + static_cast<double>(depth);
+    const double z = path->start_base + static_cast<double>(depth);
     const TileView& tile = work.tile;
     const std::array<double, 3> place{
         static_cast<double>(tile.u0[ray]) + static_cast<double>(tile.u1[ray]) * z,
@@ -341,7 +384,7 @@ inline bool shade(const WideScene& scene, Workspace& work, int ray, Shaded& shad
     }
     shaded.color = lit(scene, shaded.normal, point, object.diffuse, color);
     shaded.t = static_cast<float>(z * static_cast<double>(tile.stretch[ray]));
-    shaded.object = start.object;
+    shaded.object = path->object;
     shaded.level = levels - 1;
     const std::uint32_t folded = (hash >> 24 ^ hash) & 0x00FF'FFFF;
     shaded.word = folded == 0 ? 1 : folded;

@@ -110,8 +110,15 @@ struct RayInStart {
     float pixel_base;  // detail * p = max(pixel_base + pixel_growth * depth, pixel_least)
     float pixel_growth;
     float pixel_least;
-    float slack;  // of depth, that rounding may cause
-    float best;   // depth of the nearest terminal cell yet
+    float pass_share;  // allowed_share, of p itself
+    float slack;       // of depth, that rounding may cause
+    float best;        // no cell beyond is of interest
+    float found;       // depth of the terminal cell found
+
+    /// How much nearer than a terminal cell another need not be looked for.
+    [[nodiscard]] float passed_over(float depth) const {
+        return pass_share * std::max(pixel_base + pixel_growth * depth, pixel_least);
+    }
 };
 
 /// The children of a block that the ray meets within [key, exit] and nearer than its best, in the
@@ -169,12 +176,13 @@ struct MetChildren {
 };
 
 /// Follows a ray from the start cell (already met, not terminal) to the nearest terminal cell that
-/// is nearer than `ray.best`. `found` is changed only if there is one.
-inline void follow_ray(const WideScene& scene, Workspace& work, RayInStart& ray, float key,
+/// is nearer than `ray.best`. True, and `found` changed, if there is one.
+inline bool follow_ray(const WideScene& scene, Workspace& work, RayInStart& ray, float key,
                        float exit, int root, std::uint32_t last_level, Found& found) {
     MetChildren met;
     std::vector<Waiting>& stack = work.stack;
     stack.clear();
+    bool improved = false;
     int block_index = root;
     while (true) {
         const Block& block = work.blocks[static_cast<std::size_t>(block_index)];
@@ -182,26 +190,30 @@ inline void follow_ray(const WideScene& scene, Workspace& work, RayInStart& ray,
         const int count = meet_children(block, set, ray, key, exit, met.keys, met.exits, met.lanes);
         found.tested += static_cast<std::uint32_t>(set.count);
         const std::size_t first = stack.size();
+        float nearest = ray.best;
         for (int i = 0; i < count; ++i) {
             const float child_key = met.keys[i];
-            if (!(child_key < ray.best)) continue;
+            if (!(child_key < nearest)) continue;
             const std::int32_t lane = met.lanes[i] & ~terminal_bit;
             if (met.lanes[i] & terminal_bit) {
-                ray.best = child_key;
+                nearest = child_key;
                 found.block = block_index;
                 found.lane = lane;
                 continue;
             }
             stack.push_back({child_key, met.exits[i], block_index, lane});
-            std::size_t place = stack.size() - 1;
-            while (place > first && stack[place - 1].key < child_key) {
-                std::swap(stack[place - 1], stack[place]);
-                --place;
+            for (std::size_t k = stack.size() - 1; k > first && stack[k - 1].key < child_key; --k) {
+                std::swap(stack[k - 1], stack[k]);
             }
+        }
+        if (nearest < ray.best) {
+            ray.found = nearest;
+            ray.best = nearest - ray.passed_over(nearest);
+            improved = true;
         }
         if (found.tested >= scene.cell_cap) found.given_up = true;
         while (!stack.empty() && !(stack.back().key < ray.best)) stack.pop_back();
-        if (stack.empty() || found.given_up) return;
+        if (stack.empty() || found.given_up) return improved;
         const Waiting next = stack.back();
         stack.pop_back();
         key = next.key;

@@ -56,6 +56,16 @@ inline std::uint64_t meet_start_cell(const Workspace& work, const SharedCell& ce
     return met & tile.inside;
 }
 
+/// A ray has found a cell below a start cell, at that depth; `p` is the size of a pixel
+/// thereabouts.
+inline void note_found(Workspace& work, int ray, int start, double depth, double p) {
+    const auto at = static_cast<std::size_t>(ray);
+    work.found[at].start = start;
+    work.found[at].depth = depth;
+    work.best[at] = depth - static_cast<double>(allowed_share) * p;
+    work.improved = true;
+}
+
 /// Gives a start cell to the rays of the tile that meet it.
 inline void visit_start_cell(const WideScene& scene, Workspace& work, int index) {
     const SharedCell cell = work.cells[static_cast<std::size_t>(index)];
@@ -83,10 +93,8 @@ inline void visit_start_cell(const WideScene& scene, Workspace& work, int index)
         const double p = scene.camera.pixel_at_eye + growth * key;
         const bool last = cell.level == object.levels;
         if (last || cell.diameter <= scene.detail * std::max(p, object.smallest_pixel)) {
-            work.best[at] = key;
-            work.found[at].start = index;
             work.found[at].block = -1;
-            work.found[at].depth = key;
+            note_found(work, i, index, key, std::max(p, object.smallest_pixel));
             continue;
         }
         RayInStart ray;
@@ -99,16 +107,14 @@ inline void visit_start_cell(const WideScene& scene, Workspace& work, int index)
             static_cast<float>(scene.detail * (scene.camera.pixel_at_eye + growth * cell.base));
         ray.pixel_growth = static_cast<float>(scene.detail * growth);
         ray.pixel_least = static_cast<float>(scene.detail * object.smallest_pixel);
+        ray.pass_share = allowed_share / static_cast<float>(scene.detail);
         ray.slack = 0x1p-20F / std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
         ray.best = static_cast<float>(work.best[at] - cell.base);
         if (root < 0) root = make_block(scene, work, opening, object.levels);
         Found& found = work.found[at];
-        const float before = ray.best;
-        follow_ray(scene, work, ray, rays.key[i], rays.exit[i], root, object.levels, found);
-        if (ray.best < before) {
-            found.start = index;
-            found.depth = cell.base + static_cast<double>(ray.best);
-            work.best[at] = found.depth;
+        if (follow_ray(scene, work, ray, rays.key[i], rays.exit[i], root, object.levels, found)) {
+            const double depth = cell.base + static_cast<double>(ray.found);
+            note_found(work, i, index, depth, std::max(p, object.smallest_pixel));
         }
     }
 }

@@ -29,25 +29,50 @@ inline double farthest_best(const Workspace& work) {
     return farthest;
 }
 
+/// Whether a shared cell is small enough for the rays to go on alone.
+inline bool is_start(const WideScene& scene, int object, std::uint32_t level, double diameter,
+                     double near) {
+    return level == scene.objects[static_cast<std::size_t>(object)].levels ||
+           diameter <= start_pixels * pixel_at(scene, object, near);
+}
+
+/// Goes down into a cell of the queue, or gives it to the rays.
+inline void take_cell(const WideScene& scene, Workspace& work, double near, int index) {
+    if (index < 0) {
+        const FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(~index)];
+        if (is_start(scene, cell.object, cell.level, cell.diameter, near)) {
+            visit_homotheties(scene, work, ~index);
+        } else {
+            open_fixed_cell(scene, work, ~index);
+        }
+        return;
+    }
+    const SharedCell& cell = work.cells[static_cast<std::size_t>(index)];
+    if (is_start(scene, cell.object, cell.level, cell.diameter, near)) {
+        visit_start_cell(scene, work, index);
+    } else {
+        open_shared_cell(scene, work, index);
+    }
+}
+
 void search(const WideScene& scene, Workspace& work) {
-    for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) push_object(scene, work, i);
+    for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+        if (scene.objects[static_cast<std::size_t>(i)].fixed_direction) {
+            push_fixed_object(scene, work, i);
+        } else {
+            push_object(scene, work, i);
+        }
+    }
     while (!work.queue.empty()) {
         const auto [near, index] = work.queue.front();
-        if (farthest_best(work) <= near) return;
+        if (work.improved) {
+            work.farthest = farthest_best(work);
+            work.improved = false;
+        }
+        if (work.farthest <= near) return;
         std::pop_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
         work.queue.pop_back();
-        const SharedCell& cell = work.cells[static_cast<std::size_t>(index)];
-        const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-        if (cell.level == object.levels ||
-            cell.diameter <= start_pixels * pixel_at(scene, cell.object, near)) {
-            if (object.fixed_direction) {
-                visit_homotheties(scene, work, index);
-            } else {
-                visit_start_cell(scene, work, index);
-            }
-        } else {
-            open_shared_cell(scene, work, index);
-        }
+        take_cell(scene, work, near, index);
     }
 }
 
@@ -78,10 +103,14 @@ void search_tile(const WideScene& scene, Workspace& work) {
     work.arena.clear();
     work.paths_used = 0;
     ++work.tile_number;
+    work.fixed_cells.clear();
+    work.box_beams.resize(scene.objects.size());
     work.turned.resize(2 * scene.sets.size());
+    work.turned_twice.resize(2 * scene.sets.size());
     work.turned_for.resize(2 * scene.sets.size(), 0);
     work.shared_tests = 0;
-    work.found.fill(Found{});
+    for (Found& found : work.found) found.clear();
+    work.improved = true;
     work.best.fill(std::numeric_limits<double>::infinity());
     HWY_DYNAMIC_DISPATCH(search)(scene, work);
 }
@@ -90,18 +119,43 @@ bool shade_hit(const WideScene& scene, Workspace& work, int ray, Shaded& shaded)
     return HWY_DYNAMIC_DISPATCH(shade)(scene, work, ray, shaded);
 }
 
+namespace {
+
+/// The symbols of a cell of homotheties.
+void fixed_word(const WideScene& scene, const Workspace& work, const Found& found,
+                std::vector<int>& word) {
+    const auto set_of = [&](int index) -> const WideSet& {
+        return scene.sets[static_cast<std::size_t>(index)];
+    };
+    for (int at = found.start;;) {
+        const FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(at)];
+        if (cell.parent < 0) break;
+        const FixedCell& parent = work.fixed_cells[static_cast<std::size_t>(cell.parent)];
+        word.push_back(set_of(parent.set).maps[static_cast<std::size_t>(cell.lane)]);
+        at = cell.parent;
+    }
+    std::ranges::reverse(word);
+    int set = work.fixed_cells[static_cast<std::size_t>(found.start)].set;
+    for (int k = 0; k < found.below_count; ++k) {
+        const std::size_t lane = found.below[static_cast<std::size_t>(k)];
+        word.push_back(set_of(set).maps[lane]);
+        set = set_of(set).sets[lane];
+    }
+}
+
+}  // namespace
+
+int object_of(const Workspace& work, const Found& found) {
+    const auto start = static_cast<std::size_t>(found.start);
+    return found.below_count >= 0 ? work.fixed_cells[start].object : work.cells[start].object;
+}
+
 void word_of(const WideScene& scene, const Workspace& work, const Found& found,
              std::vector<int>& word) {
     word.clear();
-    if (found.below_count > 0) {
-        int set_index = work.cells[static_cast<std::size_t>(found.start)].set;
-        for (int k = 0; k < found.below_count; ++k) {
-            const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
-            const std::size_t lane = found.below[static_cast<std::size_t>(k)];
-            word.push_back(set.maps[lane]);
-            set_index = set.sets[lane];
-        }
-        std::ranges::reverse(word);
+    if (found.below_count >= 0) {
+        fixed_word(scene, work, found, word);
+        return;
     }
     int lane = found.lane;
     for (int index = found.block; index >= 0;) {

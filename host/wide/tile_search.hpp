@@ -34,6 +34,30 @@ struct SharedCell {
     int path = -1;        // index of its path, once a ray has hit below it
 };
 
+/// A shared cell of homotheties: its centre and its size. For balls in the tile's frame and scene
+/// units, z along the axis; for boxes in the unit coordinates of the object.
+struct FixedCell {
+    std::array<double, 3> center;
+    double size;
+    double near;
+    double far;
+    double constant;
+    double diameter;
+    int set;
+    int object;
+    int parent;
+    int lane;  // in the parent's set
+    std::uint32_t level;
+    int path;
+};
+
+/// What the shared cells of an object of boxes have in common, as seen from the tile. Along each
+/// axis k a ray is at eye[k] + z w[k], more or less spread0[k] + z spread1[k]; kept of the paces
+/// are 1 / (w - spread1) and 1 / (-w - spread1).
+struct BoxBeam {
+    std::array<double, 3> eye, spread0, high_pace, low_pace;
+};
+
 /// The children of a cell below a start cell, in lanes; shared by the rays that open it.
 /// Rows: from the start cell's unit coordinates to the children's (12), their diameters, their
 /// constants, and where the Lipschitz method needs them their composed linear parts (9).
@@ -62,7 +86,18 @@ struct Found {
     double depth = 0;
     std::uint32_t tested = 0;  // volumes tested for this ray alone
     bool given_up = false;     // too many of them
-    // Below a start cell of homotheties, instead of a block: lanes in the sets' tables.
+
+    /// Nothing found yet; `below` is left as it is.
+    void clear() {
+        start = -1;
+        block = -1;
+        depth = 0;
+        tested = 0;
+        given_up = false;
+        below_count = -1;
+    }
+    // Below a start cell of homotheties (`start` is a fixed cell), instead of a block: lanes in the
+    // sets' tables.
     static constexpr int most_below = 30;
     int below_count = -1;  // -1: a block and a lane
     std::array<std::uint16_t, most_below> below;
@@ -131,6 +166,8 @@ struct Path {
     static constexpr int row_count = 15;
 
     alignas(64) float rows[row_count][capacity];
+    double start_base = 0;
+    int object = 0;
     int shared = 0;          // levels that all rays share; those of a single ray follow
     std::uint32_t hash = 0;  // of the shared symbols, unfinished
     std::array<float, 3> color{};
@@ -146,20 +183,31 @@ struct Shaded {
     std::uint32_t word;
 };
 
+/// Of p: what is nearer by less may be passed over. Decision 4 allows all of p; the rest is for
+/// rounding.
+inline constexpr float allowed_share = 0.0F;
+
 struct Workspace {
     TileView tile;
     std::vector<SharedCell> cells;
-    std::vector<std::pair<double, int>> queue;  // (near, cell), a heap
+    std::vector<FixedCell> fixed_cells;
+    std::vector<BoxBeam> box_beams;             // per object
+    std::vector<std::pair<double, int>> queue;  // (near, cell or ~fixed cell), a heap
     std::vector<Block> blocks;
     Arena arena;
     StartRays start;
     std::vector<Waiting> stack;
     std::vector<Opened> opened;
-    std::vector<LaneTable<float>> turned;   // homothety tables in the tile's frame
+    std::vector<LaneTable<float>> turned;  // homothety tables in the tile's frame
+    std::vector<LaneTable<double>> turned_twice;
     std::vector<std::uint64_t> turned_for;  // (tile, object) they are right for
     std::uint64_t tile_number = 0;
     std::array<Found, tile_rays> found;
-    std::array<double, tile_rays> best;  // depth of what was found, else infinity
+    /// What lies beyond is of no interest to a ray: where it found a cell, less the share of p that
+    /// decision 4 allows; else infinity.
+    std::array<double, tile_rays> best;
+    double farthest = 0;   // of all rays inside, when last looked for
+    bool improved = true;  // since then
     std::uint64_t shared_tests = 0;
     std::vector<Path> paths;
     std::size_t paths_used = 0;
@@ -172,6 +220,9 @@ void search_tile(const WideScene& scene, Workspace& work);
 /// Shades what a ray of the tile has found. False if the walk along the path does not confirm it in
 /// float: the clear kernels are to judge.
 [[nodiscard]] bool shade_hit(const WideScene& scene, Workspace& work, int ray, Shaded& shaded);
+
+/// The object whose cell was found.
+[[nodiscard]] int object_of(const Workspace& work, const Found& found);
 
 /// The symbols of a found cell, outermost first.
 void word_of(const WideScene& scene, const Workspace& work, const Found& found,

@@ -92,7 +92,7 @@ class TileRenderer {
     }
     bool shade(const Found& found) {
         word_of(wide_, work_, found, word_);
-        const int object = work_.cells[static_cast<std::size_t>(found.start)].object;
+        const int object = object_of(work_, found);
         const auto cell = walk(node_, constants_.search, object_address(object), word_);
         if (!cell) return false;
         result_.found.outcome = kernels::Outcome::hit;

@@ -146,6 +146,8 @@ WideScene make_wide_scene(const CompiledScene& scene) {
             std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
         result.color = floats(object.color);
         result.diffuse = static_cast<float>(object.diffuse);
+        result.center = object.instance.point(volume.center);
+        result.radius = lipschitz_constant(object.instance) * half_of(volume).x;
         result.fixed_direction = has_fixed_direction(scene, object);
         wide.objects.push_back(result);
     }

@@ -64,6 +64,7 @@ struct HomothetyTable {
     std::vector<std::array<std::uint16_t, 2>> lanes;  // of each step, in the sets' tables
     std::vector<int> sets;
     LaneTable<float> rows;
+    LaneTable<double> twice;  // the same
 };
 
 /// A follow set: its children in lanes, twice.
@@ -84,6 +85,8 @@ struct WideSet {
 /// An object: from scene units to the unit coordinates of its outermost volume.
 struct WideObject {
     Affine to_unit;
+    double radius = 0;       // of the outermost volume, if it is a ball, in scene units
+    glm::dvec3 center{0.0};  // its centre
     glm::dmat3 linear{1.0};  // of the instance
     int set = 0;
     bool spheres = true;
