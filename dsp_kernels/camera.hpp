@@ -1,4 +1,5 @@
-// Eye rays (Sec. 13.1, Ch. 15): one through the centre of each pixel.
+// Eye rays (Sec. 13.1, Ch. 15): one through the centre of each pixel, or several through places
+// that the host chose for all pixels alike.
 // Node code: no allocation, no exceptions.
 #pragma once
 
@@ -22,17 +23,20 @@ template <NodeLike Node, class Real = typename Node::Real>
     return {add_scaled(node, eye, Real(1), on_plane), read_vector(node, Header::forward), Real(0)};
 }
 
-/// The eye's ray through the centre of pixel (x, y); its direction is a unit vector.
+/// The eye's ray through a place in pixel (x, y): sample number `sample` of the broadcast table.
+/// Its direction is a unit vector.
 template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] Ray<Real> eye_ray(Node& node, std::uint32_t x, std::uint32_t y) noexcept {
+[[nodiscard]] Ray<Real> eye_ray(Node& node, std::uint32_t x, std::uint32_t y,
+                                std::uint32_t sample) noexcept {
     using Header = HeaderRecord<real_words<Real>>;
-    constexpr Real half = from_double<Real>(0.5);
     node.tally(Operation::call, 1);
     node.tally(Operation::multiply_add, 2);
     node.tally(Operation::to_float, 2);
-    node.tally(Operation::integer, 1);
-    const Real column = from_double<Real>(static_cast<double>(x)) + half;
-    const Real row = from_double<Real>(static_cast<double>(y)) + half;
+    node.tally(Operation::integer, 3);
+    const std::uint32_t place = node.shape_word(Header::samples) + sample * 2 * real_words<Real>;
+    const Real column = from_double<Real>(static_cast<double>(x)) + node.shape_real(place);
+    const Real row =
+        from_double<Real>(static_cast<double>(y)) + node.shape_real(place + real_words<Real>);
     const Vec3<Real> eye = read_vector(node, Header::eye);
     Vec3<Real> on_plane = read_vector(node, Header::corner);
     on_plane = add_scaled(node, on_plane, column, read_vector(node, Header::across));

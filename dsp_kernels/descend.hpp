@@ -24,12 +24,58 @@ void approach(Node& node, Cell<Real>& cell) noexcept {
     cell.ray = rebase(node, cell.ray, read_vector(node, cell.follow_set + FollowSet::center));
 }
 
+/// The ray as a volume that fits tightly meets it under local covers: about half again as large,
+/// but by no more than some pixels. Of spheres a part stands out of what they bound, and lets a ray
+/// that passes the object nearby come upon them; boxes may have no such part. Shrinking the ray
+/// about the centre is growing the volume, whatever its kind.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Ray<Real> shrunk_for_covers(Node& node, const Search<Real>& search,
+                                          const Cell<Real>& cell) noexcept {
+    using FollowSet = FollowSetRecord<real_words<Real>>;
+    constexpr Real bulge = from_double<Real>(0.5);
+    node.tally(Operation::call, 1);
+    node.tally(Operation::multiply_add, 4);
+    node.tally(Operation::select, 2);
+    node.tally(Operation::divide, 1);
+    const Real t = cell.ray.base < search.start ? search.start : cell.ray.base;
+    const Real band = search.fade * pixel_at(node, search, cell.object, t);
+    const Real size = cell.constant * node.shape_real(cell.follow_set + FollowSet::diameter);
+    const Real share = size < band + band ? Real(1) : (band + band) / size;
+    node.tally(Operation::reciprocal, 1);
+    const Real shrink = reciprocal(Real(1) + bulge * share);
+    const Vec3<Real> center = read_vector(node, cell.follow_set + FollowSet::center);
+    const Vec3<Real> from_center = subtract(node, cell.ray.origin, center);
+    return {add_scaled(node, center, shrink, from_center), scale(node, shrink, cell.ray.direction),
+            cell.ray.base};
+}
+
+/// Whether an object stops at this cell whatever its size.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] bool at_last_level(Node& node, const Cell<Real>& cell) noexcept {
+    node.tally(Operation::integer, 2);
+    return cell.level == node.shape_word(cell.object + ObjectRecord<real_words<Real>>::levels);
+}
+
+/// The part of the whole line that lies in the cell's volume, for a ray that approached it.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] std::optional<Interval<Real>> intersect_cell(Node& node, const Search<Real>& search,
+                                                           const Cell<Real>& cell) noexcept {
+    using FollowSet = FollowSetRecord<real_words<Real>>;
+    const auto kind = static_cast<Volume>(node.shape_word(cell.follow_set + FollowSet::volume));
+    node.tally(Operation::integer, 1);
+    if (kind == Volume::sphere || !has_covers(node, search) || at_last_level(node, cell)) {
+        return intersect_volume(node, cell.ray, cell.follow_set);
+    }
+    return intersect_volume(node, shrunk_for_covers(node, search, cell), cell.follow_set);
+}
+
 /// Step 2.4.4: intersects the cell's own ray with its volume (Erratum 2) and sets its interval,
 /// clipped to [from, to] (Erratum 3). False if the ray does not meet the cell.
 template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] bool meet(Node& node, Cell<Real>& cell, Real from, Real to) noexcept {
+[[nodiscard]] bool meet(Node& node, const Search<Real>& search, Cell<Real>& cell, Real from,
+                        Real to) noexcept {
     approach(node, cell);
-    const auto inside = intersect_volume(node, cell.ray, cell.follow_set);
+    const auto inside = intersect_cell(node, search, cell);
     if (!inside) return false;
     node.tally(Operation::select, 2);
     cell.key = from < inside->entry ? inside->entry : from;
@@ -122,17 +168,22 @@ enum class Ending { goes_on, terminal, word_full };
 /// Step 2.3: a cell is terminal at its object's last level, or no larger than `detail` pixels.
 /// A word that is full ends the search too, but the ray counts as capped.
 template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] Ending ending(Node& node, const Search<Real>& search,
-                            const Cell<Real>& cell) noexcept {
-    using Object = ObjectRecord<real_words<Real>>;
-    node.tally(Operation::integer, 4);
-    if (cell.level == node.shape_word(cell.object + Object::levels)) return Ending::terminal;
+[[nodiscard]] Ending ending(Node& node, const Search<Real>& search, const Cell<Real>& cell,
+                            Real diameter, Real pixel) noexcept {
+    node.tally(Operation::integer, 2);
+    if (at_last_level(node, cell)) return Ending::terminal;
     node.tally(Operation::multiply_add, 1);
     node.tally(Operation::compare_branch, 1);
-    const Real p = pixel_at(node, search, cell.object, cell.key);
-    if (!(search.detail * p < cell_diameter(node, cell))) return Ending::terminal;
+    if (!(search.detail * pixel < diameter)) return Ending::terminal;
     if (cell.level >= CellWord::longest(cell.bits)) return Ending::word_full;
     return Ending::goes_on;
+}
+
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Ending ending(Node& node, const Search<Real>& search,
+                            const Cell<Real>& cell) noexcept {
+    return ending(node, search, cell, cell_diameter(node, cell),
+                  pixel_at(node, search, cell.object, cell.key));
 }
 
 }  // namespace pxm::kernels

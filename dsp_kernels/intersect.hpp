@@ -24,7 +24,7 @@ void push_objects(Node& node, const Search<Real>& search, Heap<Node>& heap,
         Cell<Real> cell;
         outermost_cell(node, search, object, cell);
         ++counts.volumes_tested;
-        const bool met = meet(node, cell, Real(0), from_double<Real>(1e30));
+        const bool met = meet(node, search, cell, search.start, search.end);
         watch(node, met ? CellEvent::met : CellEvent::missed, cell);
         if (met) heap.push(cell);
         object += Object::words;
@@ -45,13 +45,20 @@ void push_children(Node& node, const Search<Real>& search, const Cell<Real>& par
         Cell<Real> child;
         child_cell(node, search, parent, map, child);
         ++counts.volumes_tested;
-        const bool met = meet(node, child, parent.key, parent.exit);
+        const bool met = meet(node, search, child, parent.key, parent.exit);
         watch(node, met ? CellEvent::met : CellEvent::missed, child);
         if (!met) continue;
         if (polar) complete_child(node, parent, map, child);
         heap.push(child);
         ++counts.heap_pushes;
     }
+}
+
+/// Adds what a search did with its heap.
+template <NodeLike Node>
+void count_heap(const Heap<Node>& heap, SearchCounts& counts) noexcept {
+    if (counts.heap_peak < heap.peak()) counts.heap_peak = heap.peak();
+    if (heap.overflowed()) ++counts.heap_overflows;
 }
 
 /// The terminal cell with the smallest (key, object, word) that the ray meets. The heap is left in
@@ -61,6 +68,7 @@ template <NodeLike Node, class Real = typename Node::Real>
                                            SearchCounts& counts) noexcept {
     node.tally(Operation::call, 1);
     SearchResult<Real> result;
+    const std::uint64_t most_volumes = counts.volumes_tested + search.cell_cap;
     heap.clear();
     push_objects(node, search, heap, counts);
     while (!heap.empty()) {
@@ -68,7 +76,7 @@ template <NodeLike Node, class Real = typename Node::Real>
         node.tally(Operation::integer, 3);
         heap.pop(result.cell);
         const Ending end = ending(node, search, result.cell);
-        const bool capped = end == Ending::word_full || counts.volumes_tested >= search.cell_cap;
+        const bool capped = end == Ending::word_full || counts.volumes_tested >= most_volumes;
         if (end == Ending::terminal || capped) {
             result.outcome = end == Ending::terminal ? Outcome::hit : Outcome::capped;
             break;
@@ -76,12 +84,15 @@ template <NodeLike Node, class Real = typename Node::Real>
         watch(node, CellEvent::expanded, result.cell);
         push_children(node, search, result.cell, heap, counts);
     }
-    counts.heap_peak = heap.peak();
-    if (heap.overflowed()) ++counts.heap_overflows;
+    count_heap(heap, counts);
     if (result.outcome == Outcome::miss && heap.overflowed()) {
         watch(node, CellEvent::restarted, heap.smallest_dropped());
-        next_after(node, search, heap, result, counts);
+        ++counts.restarts;
+        const Sought<Real, SolidRule> sought{heap.smallest_dropped(), From::cell, SolidRule{},
+                                             most_volumes};
+        next_after(node, search, heap, sought, result, counts);
     }
+    if (result.outcome == Outcome::capped) ++counts.capped;
     if (result.outcome != Outcome::miss) {
         watch(node, result.outcome == Outcome::hit ? CellEvent::terminal : CellEvent::capped,
               result.cell);

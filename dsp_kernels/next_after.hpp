@@ -1,8 +1,8 @@
-// The search that needs no heap: a depth-first descent in word order that finds the smallest
-// terminal cell not before a given cell D. It finishes the rays whose heap overflowed; everything
-// before D was searched by then. Only the word of the path is kept, and in the heap's slots the
-// cells on it; where the path is longer than the heap, cells are made again from the word. Node
-// code: no allocation, no exceptions.
+// The search that needs no heap: a depth-first descent in word order that finds the smallest cell
+// that shows and is not before a given cell D. It finishes the rays whose heap overflowed;
+// everything before D was searched by then. Only the word of the path is kept, and in the heap's
+// slots the cells on it; where the path is longer than the heap, cells are made again from the
+// word. Node code: no allocation, no exceptions.
 #pragma once
 
 #include "dsp_kernels/descend.hpp"
@@ -11,6 +11,19 @@
 #include "dsp_kernels/watch.hpp"
 
 namespace pxm::kernels {
+
+/// Where a search begins: with a cell itself, or with the next one.
+enum class From { cell, next };
+
+/// The rule of solid objects: terminal cells show, and nothing else does.
+struct SolidRule {
+    template <NodeLike Node, class Real = typename Node::Real>
+    [[nodiscard]] Shown<Real> operator()(Node& node, const Search<Real>&, const Cell<Real>&,
+                                         Ending end) const noexcept {
+        node.tally(Operation::integer, 1);
+        return {end == Ending::terminal ? Real(1) : Real(0), 0};
+    }
+};
 
 /// The path of cells from an object's outermost cell down to the one being looked at: the first
 /// ones in the heap's slots, beyond those only the last one.
@@ -28,7 +41,7 @@ class CellPath {
     /// Starts at an object; false if the ray does not meet it.
     [[nodiscard]] bool start(std::uint32_t object) noexcept {
         outermost_cell(node_, search_, object, last_);
-        return meet(node_, last_, Real(0), from_double<Real>(1e30));
+        return meet(node_, search_, last_, search_.start, search_.end);
     }
 
     /// Goes down to the map; if the ray does not meet its cell, stays where it is and returns
@@ -36,7 +49,7 @@ class CellPath {
     [[nodiscard]] bool down(std::uint32_t map) noexcept {
         Cell<Real> child;
         child_cell(node_, search_, last_, map, child);
-        if (!meet(node_, child, last_.key, last_.exit)) return false;
+        if (!meet(node_, search_, child, last_.key, last_.exit)) return false;
         if (is_polar(node_, last_.object)) complete_child(node_, last_, map, child);
         if (last_.level < heap_.capacity()) heap_.keep(last_.level, last_);
         move_cell(node_, last_, child);
@@ -70,7 +83,7 @@ class CellPath {
             Cell<Real> child;
             const std::uint32_t map = map_from(node_, last_.follow_set, symbol);
             child_cell(node_, search_, last_, map, child);
-            (void)meet(node_, child, last_.key, last_.exit);
+            (void)meet(node_, search_, child, last_.key, last_.exit);
             if (is_polar(node_, last_.object)) complete_child(node_, last_, map, child);
             move_cell(node_, last_, child);
         }
@@ -82,12 +95,47 @@ class CellPath {
     Cell<Real> last_;
 };
 
-/// Searches one object. `result` holds the best cell so far and is replaced by a smaller one.
-/// False if the cap on cells was reached.
-template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] bool next_after_in(Node& node, const Search<Real>& search, const Cell<Real>& bound,
-                                 CellPath<Node>& path, SearchResult<Real>& result,
-                                 SearchCounts& counts) noexcept {
+/// What next_after looks for: the smallest cell that shows by `rule` and is not before `bound`.
+template <class Real, class Rule>
+struct Sought {
+    const Cell<Real>& bound;
+    From from;
+    Rule rule;
+    std::uint64_t most_volumes;  // the cap on cells, as a count of volumes tested
+};
+
+/// Looks at a cell where the path arrived. `result` holds the best cell so far and is replaced by
+/// a smaller one. Says whether to look inside.
+template <NodeLike Node, class Rule, class Real = typename Node::Real>
+[[nodiscard]] Ending look_at(Node& node, const Search<Real>& search,
+                             const Sought<Real, Rule>& sought, const Cell<Real>& cell,
+                             SearchResult<Real>& result) noexcept {
+    node.tally(Operation::compare_branch, 2);
+    // Cells come in word order, so a cell is smaller than the best one only by its key.
+    const bool hopeless = cell.exit < sought.bound.key ||
+                          (result.outcome == Outcome::hit && !(cell.key < result.cell.key));
+    if (hopeless) return Ending::terminal;
+    const Ending end = ending(node, search, cell);
+    if (end == Ending::word_full) return end;
+    const bool early = sought.from == From::cell ? before(node, cell, sought.bound)
+                                                 : !before(node, sought.bound, cell);
+    if (early) return end;
+    const Shown<Real> shown = sought.rule(node, search, cell, end);
+    node.tally(Operation::compare_branch, 1);
+    if (Real(0) < shown.opacity) {
+        result.outcome = Outcome::hit;
+        result.shown = shown;
+        move_cell(node, result.cell, cell);
+    }
+    return end;
+}
+
+/// Searches one object. False if the cap on cells or the longest word was reached.
+template <NodeLike Node, class Rule, class Real = typename Node::Real>
+[[nodiscard]] bool next_after_in(Node& node, const Search<Real>& search,
+                                 const Sought<Real, Rule>& sought, CellPath<Node>& path,
+                                 SearchResult<Real>& result, SearchCounts& counts) noexcept {
+    constexpr std::uint32_t nothing_inside = 0xFFFF'FFFF;
     std::uint32_t symbol = 0;  // the next symbol to try inside the last cell
     bool arrived = true;       // at a cell not looked at before
     while (true) {
@@ -95,25 +143,15 @@ template <NodeLike Node, class Real = typename Node::Real>
         Cell<Real>& cell = path.last();
         node.tally(Operation::integer, 3);
         if (arrived) {
-            node.tally(Operation::compare_branch, 2);
-            // Cells come in word order, so a cell is smaller than the best one only by its key.
-            const bool hopeless = cell.exit < bound.key ||
-                                  (result.outcome == Outcome::hit && !(cell.key < result.cell.key));
-            const Ending end = hopeless ? Ending::terminal : ending(node, search, cell);
-            if (end == Ending::word_full || counts.volumes_tested >= search.cell_cap) return false;
-            if (end == Ending::terminal) {
-                if (!hopeless && !before(node, cell, bound)) {
-                    result.outcome = Outcome::hit;
-                    move_cell(node, result.cell, cell);
-                }
-                symbol = 0xFFFF'FFFF;  // nothing inside
-            } else {
-                symbol = 0;
+            const Ending end = look_at(node, search, sought, cell, result);
+            if (end == Ending::word_full || counts.volumes_tested >= sought.most_volumes) {
+                return false;
             }
+            symbol = end == Ending::terminal ? nothing_inside : 0;
             arrived = false;
         }
         const std::uint32_t map =
-            symbol == 0xFFFF'FFFF ? 0 : map_from(node, cell.follow_set, symbol);
+            symbol == nothing_inside ? 0 : map_from(node, cell.follow_set, symbol);
         if (map == 0) {
             if (cell.level == 0) return true;
             symbol = path.up() + 1;
@@ -126,22 +164,26 @@ template <NodeLike Node, class Real = typename Node::Real>
     }
 }
 
-/// The smallest terminal cell not before the smallest cell that `heap` dropped, or a miss.
-template <NodeLike Node, class Real = typename Node::Real>
+/// The smallest cell that shows by `rule`, from `bound` on, or a miss; capped if the cap on cells
+/// was reached. `bound` must not lie in the heap's slots: they hold the path.
+template <NodeLike Node, class Rule, class Real = typename Node::Real>
 void next_after(Node& node, const Search<Real>& search, Heap<Node>& heap,
-                SearchResult<Real>& result, SearchCounts& counts) noexcept {
+                const Sought<Real, Rule>& sought, SearchResult<Real>& result,
+                SearchCounts& counts) noexcept {
     using Header = HeaderRecord<real_words<Real>>;
     using Object = ObjectRecord<real_words<Real>>;
     node.tally(Operation::call, 1);
-    ++counts.restarts;
-    const Cell<Real>& bound = heap.smallest_dropped();
     CellPath<Node> path(node, search, heap);
+    result.outcome = Outcome::miss;
     std::uint32_t object = node.shape_word(Header::objects);
     for (std::uint32_t left = node.shape_word(Header::object_count); left > 0; --left) {
         node.tally(Operation::loop_turn, 1);
         ++counts.volumes_tested;
-        if (path.start(object) && !next_after_in(node, search, bound, path, result, counts)) {
-            if (result.outcome == Outcome::miss) move_cell(node, result.cell, bound);
+        if (path.start(object) && !next_after_in(node, search, sought, path, result, counts)) {
+            if (result.outcome == Outcome::miss) {
+                move_cell(node, result.cell, sought.bound);
+                result.shown = {Real(1), 0};
+            }
             result.outcome = Outcome::capped;
             return;
         }

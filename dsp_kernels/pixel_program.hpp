@@ -1,29 +1,12 @@
-// The program of a pixel node: for each of its pixels a ray, the first cell along it, its colour.
+// The program of a pixel node: for each of its pixels a ray, or several, what is seen along it, and
+// the colour.
 // Node code: no allocation, no exceptions.
 #pragma once
 
 #include "dsp_kernels/camera.hpp"
-#include "dsp_kernels/intersect.hpp"
-#include "dsp_kernels/shade.hpp"
+#include "dsp_kernels/trace.hpp"
 
 namespace pxm::kernels {
-
-/// What a node knows of a pixel once it is done.
-template <class Real>
-struct PixelResult {
-    Vec3<Real> color{};
-    SearchResult<Real> found;
-    Vec3<Real> normal{};  // the total normal, unless the ray missed
-    SearchCounts counts;
-};
-
-/// The part of the scene block that is the same for every pixel, read once.
-template <class Real>
-struct FrameConstants {
-    Search<Real> search;
-    ShadingMode shading;
-    Vec3<Real> background;
-};
 
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] FrameConstants<Real> read_frame_constants(Node& node) noexcept {
@@ -32,27 +15,33 @@ template <NodeLike Node, class Real = typename Node::Real>
     frame.search.pixel = {node.shape_real(Header::pixel_at_eye),
                           node.shape_real(Header::pixel_growth)};
     frame.search.detail = node.shape_real(Header::detail);
+    frame.search.fade = node.shape_real(Header::fade);
     frame.search.cell_cap = node.shape_word(Header::cell_cap);
     frame.shading = static_cast<ShadingMode>(node.shape_word(Header::shading));
     frame.background = read_vector(node, Header::background);
+    frame.bounces = node.shape_word(Header::bounces);
+    frame.samples = node.shape_word(Header::sample_count);
+    frame.sample_share = node.shape_real(Header::sample_share);
     return frame;
 }
 
-/// Renders one pixel.
-template <NodeLike Node, class Real = typename Node::Real>
+/// Renders one pixel: its colour is the mean over its samples, and what else is known of it is of
+/// the first one, which is nearest to the centre.
+template <Features features, NodeLike Node, class Real = typename Node::Real>
 void render_pixel(Node& node, FrameConstants<Real>& frame, Heap<Node>& heap, std::uint32_t x,
                   std::uint32_t y, PixelResult<Real>& result) noexcept {
-    frame.search.ray = eye_ray(node, x, y);
-    result.counts = {};
-    result.found = intersect(node, frame.search, heap, result.counts);
+    result.color = {};
+    result.opacity = Real(0);
+    result.found.outcome = Outcome::miss;
     result.normal = {};
-    result.color = frame.background;
-    if (result.found.outcome == Outcome::miss) return;
-    const Surface<Real> surface = surface_at(node, frame.search, result.found.cell, frame.shading);
-    const Ray<Real>& ray = frame.search.ray;
-    const Vec3<Real> point = add_scaled(node, ray.origin, result.found.cell.key, ray.direction);
-    result.normal = surface.normal;
-    result.color = illuminate(node, surface, point);
+    result.counts = {};
+    result.rays = {};
+    Tracer<features, Node> tracer(node, frame, heap, result);
+    for (std::uint32_t sample = 0; sample < frame.samples; ++sample) {
+        node.tally(Operation::loop_turn, 1);
+        frame.search.ray = eye_ray(node, x, y, sample);
+        tracer.trace(frame.search, frame.sample_share, sample == 0 ? Sample::first : Sample::other);
+    }
 }
 
 /// The pixels a program renders: every step_x-th and step_y-th of a window, half open.
@@ -66,7 +55,7 @@ struct PixelShare {
 };
 
 /// The node's program. `store(x, y, result)` takes a finished pixel and says whether to go on.
-template <NodeLike Node, class Store>
+template <Features features, NodeLike Node, class Store>
 void pixel_program(Node& node, const PixelShare& share, const Store& store) noexcept {
     using Real = typename Node::Real;
     Heap<Node> heap(node);
@@ -75,7 +64,7 @@ void pixel_program(Node& node, const PixelShare& share, const Store& store) noex
     for (std::uint32_t y = share.y0; y < share.y1; y += share.step_y) {
         for (std::uint32_t x = share.x0; x < share.x1; x += share.step_x) {
             node.tally(Operation::loop_turn, 1);
-            render_pixel(node, frame, heap, x, y, result);
+            render_pixel<features>(node, frame, heap, x, y, result);
             if (!store(x, y, result)) return;
         }
     }

@@ -15,6 +15,17 @@ struct PixelSize {
     Real growth;
 };
 
+/// p_l(t) at distance t from a light: zero there, p(t_e) at the surface at distance t_l (Eq. 15.3).
+/// From the surface on it is the same size at the same place (Eq. 15.4).
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] PixelSize<Real> light_pixel_size(Node& node, Real at_surface,
+                                               Real distance) noexcept {
+    node.tally(Operation::compare_branch, 1);
+    if (!(Real(0) < distance)) return {at_surface, Real(0)};
+    node.tally(Operation::divide, 1);
+    return {Real(0), at_surface / distance};
+}
+
 /// p(t), never below `smallest`: numbers of a node do not resolve less at an object's scale.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Real pixel_size(Node& node, const PixelSize<Real>& pixel, Real t,

@@ -6,6 +6,10 @@
 
 namespace pxm::kernels {
 
+/// Farther than anything in a scene, in scene units.
+template <class Real>
+inline constexpr Real far_away = from_double<Real>(1e30);
+
 /// The points origin + (t - base) direction. In the world the direction is a unit vector, so t is a
 /// distance; affine maps keep t (Eq. 12.5). `base` moves with the origin when a ray is re-based
 /// near a cell: small numbers near the cell keep the digits that a far origin would lose.
@@ -22,6 +26,13 @@ struct Interval {
     Real entry;
     Real exit;
 };
+
+/// The point at parameter t.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] Vec3<Real> point_at(Node& node, const Ray<Real>& ray, Real t) noexcept {
+    node.tally(Operation::multiply_add, 1);
+    return add_scaled(node, ray.origin, t - ray.base, ray.direction);
+}
 
 /// The ray in the coordinates of a master object: R(o M^-1, d M^-1), Eq. 12.3.
 template <NodeLike Node, class Real = typename Node::Real>

@@ -23,16 +23,17 @@ struct Record {
 
 enum class ShadingMode : std::uint32_t { constant, low_pass, high_pass, facet };
 enum class Projection : std::uint32_t { perspective, orthographic };
-enum class Volume : std::uint32_t { sphere, box };
+enum class Volume : std::uint32_t { sphere, box, oriented, hull, cone, cylinder };
 enum class Lipschitz : std::uint32_t { product, determinant, polar };
 enum class LightKind : std::uint32_t { directional, point };
 
 inline constexpr std::uint32_t unlimited_levels = 0xFFFF'FFFF;
 
-/// At address 0. Pixel (x, y) looks through corner + (x + 1/2) across + (y + 1/2) down.
+/// At address 0. An eye ray of pixel (x, y) goes through corner + (x + u) across + (y + v) down,
+/// with the place (u, v) of its sample in the pixel.
 template <std::uint32_t R>
-struct HeaderRecord : Record<R, 16, 28> {
-    using Base = Record<R, 16, 28>;
+struct HeaderRecord : Record<R, 16, 26> {
+    using Base = Record<R, 16, 26>;
     // integers
     static constexpr std::uint32_t width = Base::integer(0);
     static constexpr std::uint32_t height = Base::integer(1);
@@ -44,6 +45,10 @@ struct HeaderRecord : Record<R, 16, 28> {
     static constexpr std::uint32_t shading = Base::integer(10);
     static constexpr std::uint32_t projection = Base::integer(11);
     static constexpr std::uint32_t cell_cap = Base::integer(12);
+    static constexpr std::uint32_t bounces = Base::integer(13);  // most mirrors one after another
+    static constexpr std::uint32_t sample_count = Base::integer(14);  // eye rays of a pixel
+    static constexpr std::uint32_t samples = Base::integer(15);  // address of their places: x, y in
+                                                                 // [0,1) of the pixel, two numbers
     // numbers
     static constexpr std::uint32_t eye = Base::real(0);
     static constexpr std::uint32_t corner = Base::real(3);
@@ -52,15 +57,17 @@ struct HeaderRecord : Record<R, 16, 28> {
     static constexpr std::uint32_t forward = Base::real(12);
     static constexpr std::uint32_t pixel_at_eye = Base::real(15);  // p(t) = pixel_at_eye
     static constexpr std::uint32_t pixel_growth = Base::real(16);  //      + pixel_growth t
-    static constexpr std::uint32_t detail = Base::real(17);
-    static constexpr std::uint32_t ambient = Base::real(18);  // k_a c_a of Eq. 17.1
-    static constexpr std::uint32_t background = Base::real(21);
+    static constexpr std::uint32_t detail = Base::real(17);   // terminal at so many pixels; tau_min
+    static constexpr std::uint32_t fade = Base::real(18);     // covers begin to show: tau_max
+    static constexpr std::uint32_t ambient = Base::real(19);  // k_a c_a of Eq. 17.1
+    static constexpr std::uint32_t background = Base::real(22);
+    static constexpr std::uint32_t sample_share = Base::real(25);  // 1 / sample_count
 };
 
 /// One object: an instance of a linear fractal.
 template <std::uint32_t R>
-struct ObjectRecord : Record<R, 6, 27> {
-    using Base = Record<R, 6, 27>;
+struct ObjectRecord : Record<R, 5, 29> {
+    using Base = Record<R, 5, 29>;
     static constexpr std::uint32_t start_set = Base::integer(0);  // address of a follow set
     static constexpr std::uint32_t lipschitz = Base::integer(1);
     static constexpr std::uint32_t levels = Base::integer(2);        // or unlimited_levels
@@ -72,27 +79,52 @@ struct ObjectRecord : Record<R, 6, 27> {
     static constexpr std::uint32_t smallest_pixel = Base::real(22);  // p never falls below
     static constexpr std::uint32_t color = Base::real(23);
     static constexpr std::uint32_t diffuse = Base::real(26);  // k_d of Eq. 17.1
+    static constexpr std::uint32_t opacity = Base::real(27);  // of its volumes; 1: solid
+    static constexpr std::uint32_t reflect = Base::real(28);  // share of a mirror's image
 };
 
 /// What may stand inside a map: its bounding volume and the maps that may come next.
-/// The addresses of the maps follow the record, in the order of the maps.
+/// The addresses of the maps follow the record, in the order of the maps. What an oriented box or a
+/// hull needs besides its centre lies at an address of its own.
 template <std::uint32_t R>
 struct FollowSetRecord : Record<R, 3, 10> {
     using Base = Record<R, 3, 10>;
     static constexpr std::uint32_t volume = Base::integer(0);
     static constexpr std::uint32_t map_count = Base::integer(1);
-    static constexpr std::uint32_t center = Base::real(0);  // rays are re-based to here
-    static constexpr std::uint32_t radius = Base::real(3);  // of a sphere
-    static constexpr std::uint32_t low = Base::real(3);     // corners of a box
+    static constexpr std::uint32_t shape = Base::integer(2);  // OrientedRecord or HullRecord
+    static constexpr std::uint32_t center = Base::real(0);    // rays are re-based to here
+    static constexpr std::uint32_t radius = Base::real(3);    // of a sphere, cone or cylinder
+    static constexpr std::uint32_t low = Base::real(3);       // corners of a box
     static constexpr std::uint32_t high = Base::real(6);
     static constexpr std::uint32_t diameter = Base::real(9);
     static constexpr std::uint32_t maps = Base::words;
 };
 
+/// An oriented box: the points x with |axis . (x - center)| <= 1 for each of its three axes.
+template <std::uint32_t R>
+struct OrientedRecord : Record<R, 0, 9> {
+    static constexpr std::uint32_t axes = Record<R, 0, 9>::real(0);
+};
+
+/// A hull. Its half-spaces follow the record.
+template <std::uint32_t R>
+struct HullRecord : Record<R, 1, 0> {
+    static constexpr std::uint32_t count = Record<R, 1, 0>::integer(0);
+    static constexpr std::uint32_t half_spaces = Record<R, 1, 0>::words;
+};
+
+/// The points x with normal . (x - center) <= offset.
+template <std::uint32_t R>
+struct HalfSpaceRecord : Record<R, 0, 4> {
+    using Base = Record<R, 0, 4>;
+    static constexpr std::uint32_t normal = Base::real(0);
+    static constexpr std::uint32_t offset = Base::real(3);
+};
+
 /// One map of a system.
 template <std::uint32_t R>
-struct MapRecord : Record<R, 3, 32> {
-    using Base = Record<R, 3, 32>;
+struct MapRecord : Record<R, 3, 33> {
+    using Base = Record<R, 3, 33>;
     static constexpr std::uint32_t follow_set = Base::integer(0);  // address
     static constexpr std::uint32_t lost_axes = Base::integer(2);   // of a lifted singular map
     static constexpr std::uint32_t symbol = Base::integer(1);      // its number from 0
@@ -101,12 +133,15 @@ struct MapRecord : Record<R, 3, 32> {
     static constexpr std::uint32_t constant = Base::real(21);  // Lip w_i, or the cube root of |det|
     static constexpr std::uint32_t color = Base::real(22);     // r, g, b, a
     static constexpr std::uint32_t lost = Base::real(26);      // up to two unit axes it squashes
+    static constexpr std::uint32_t least = Base::real(32);     // least diameter of its cell, as a
+                                                               // share of the cell's around it
 };
 
 template <std::uint32_t R>
-struct LightRecord : Record<R, 1, 6> {
-    using Base = Record<R, 1, 6>;
+struct LightRecord : Record<R, 2, 6> {
+    using Base = Record<R, 2, 6>;
     static constexpr std::uint32_t kind = Base::integer(0);
+    static constexpr std::uint32_t shadow = Base::integer(1);  // 1: it casts shadows
     static constexpr std::uint32_t place =
         Base::real(0);  // unit direction to the light, or position
     static constexpr std::uint32_t color = Base::real(3);

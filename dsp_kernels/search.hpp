@@ -8,12 +8,15 @@
 
 namespace pxm::kernels {
 
-/// A search: a ray, the size of a pixel along it, and when to stop.
+/// A search: a ray, the part of it that counts, the size of a pixel along it, and when to stop.
 template <class Real>
 struct Search {
     Ray<Real> ray;
+    Real start{};  // only cells between start and end are looked for
+    Real end = far_away<Real>;
     PixelSize<Real> pixel;
-    Real detail;             // a cell is terminal at `detail` pixels
+    Real detail;             // a cell is terminal at `detail` pixels: tau_min of local covers
+    Real fade;               // a cell begins to show at `fade` pixels: tau_max of local covers
     std::uint32_t cell_cap;  // most cells tested for one ray
 };
 
@@ -23,6 +26,13 @@ template <NodeLike Node>
     using Object = ObjectRecord<real_words<typename Node::Real>>;
     node.tally(Operation::integer, 1);
     return static_cast<Lipschitz>(node.shape_word(object + Object::lipschitz)) == Lipschitz::polar;
+}
+
+/// Whether cells show before they are terminal.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] bool has_covers(Node& node, const Search<Real>& search) noexcept {
+    node.tally(Operation::compare_branch, 1);
+    return search.detail < search.fade;
 }
 
 /// p at the ray's parameter t, for one object.

@@ -11,10 +11,18 @@ namespace pxm::kernels {
 /// nearest one known by then.
 enum class Outcome { miss, hit, capped };
 
+/// What a cell shows of itself.
+template <class Real>
+struct Shown {
+    Real opacity;       // 0: nothing, 1: it hides all behind it
+    std::uint32_t map;  // 0, or the address of the map inside the cell whose colour it has
+};
+
 template <class Real>
 struct SearchResult {
     Outcome outcome = Outcome::miss;
     Cell<Real> cell;  // unless the outcome is a miss
+    Shown<Real> shown{Real(1), 0};
 };
 
 /// Counts of one ray (or, summed, of a node).
@@ -24,6 +32,7 @@ struct SearchCounts {
     std::uint64_t heap_peak = 0;       // most cells in the heap at once
     std::uint64_t heap_overflows = 0;  // rays that dropped a cell
     std::uint64_t restarts = 0;        // rays that had to be finished by next_after
+    std::uint64_t capped = 0;          // rays given up at the cap on cells or the longest word
 };
 
 }  // namespace pxm::kernels

@@ -1,7 +1,7 @@
 // Hierarchical shading (Ch. 17): a fractal has no normal, its bounding volumes have. The cells on
-// the path from the outermost cell to the terminal one (Erratum 13) are walked again along the
-// word, and their normals and the colours of the maps are gathered on the way. Node code: no
-// allocation, no exceptions.
+// the path from the outermost cell to the one that shows (Erratum 13) are walked again along the
+// word, and their normals and the colours of the maps are gathered on the way.
+// Node code: no allocation, no exceptions.
 #pragma once
 
 #include "dsp_kernels/descend.hpp"
@@ -14,36 +14,50 @@ struct Surface {
     Vec3<Real> normal;  // the total normal, a unit vector
     Vec3<Real> color;   // c_x of Eq. 17.1
     Real diffuse;       // k_d
+    Real reflect;       // share of a mirror's image
 };
 
-/// The weighted sum of the normals along a path (Eq. 17.3).
+/// A cell that a ray came upon.
+template <class Real>
+struct Sighting {
+    const Search<Real>& search;
+    const Cell<Real>& cell;
+    std::uint32_t map;  // 0, or the map inside the cell whose colour it has (dsp_kernels/covers)
+};
+
+/// The weighted sum of a vector of each cell along a path (Eq. 17.3): of the normals, or of what
+/// lights give the cells.
 template <NodeLike Node, class Real = typename Node::Real>
-class TotalNormal {
+class PathSum {
   public:
-    TotalNormal(ShadingMode mode, Real outermost_diameter) noexcept
+    PathSum(ShadingMode mode, Real outermost_diameter) noexcept
         : mode_(mode), outermost_diameter_(outermost_diameter) {}
 
-    /// Adds the unit normal of a cell of that diameter.
-    void add(Node& node, const Vec3<Real>& normal, Real diameter) noexcept {
+    /// Adds the vector of a cell of that diameter.
+    void add(Node& node, const Vec3<Real>& vector, Real diameter) noexcept {
         const Real weight = weight_of(node, diameter);
-        node.tally(Operation::multiply_add, 1);
-        weighted_ = add_scaled(node, weighted_, weight, normal);
-        unweighted_ = add_scaled(node, unweighted_, Real(1), normal);
-        total_weight_ = total_weight_ + weight;
+        node.tally(Operation::multiply_add, 2);
+        weighted_ = add_scaled(node, weighted_, weight, vector);
+        unweighted_ = add_scaled(node, unweighted_, Real(1), vector);
+        weight_ = weight_ + weight;
+        count_ = count_ + Real(1);
     }
-    /// Whether any cell gave a normal.
-    [[nodiscard]] bool empty(Node& node) const noexcept {
-        node.tally(Operation::compare_branch, 1);
-        return !(Real(0) < dot(node, unweighted_, unweighted_));
+    /// The sum; when all weights vanish, that of the constant weighting (Erratum 18).
+    [[nodiscard]] const Vec3<Real>& sum(Node& node) const noexcept {
+        return weighs(node) ? weighted_ : unweighted_;
     }
-    /// The total normal, of unit length. When all weights vanish, the constant weighting (Erratum
-    /// 18).
-    [[nodiscard]] Vec3<Real> unit(Node& node) const noexcept {
-        node.tally(Operation::compare_branch, 1);
-        return normalize(node, Real(0) < total_weight_ ? weighted_ : unweighted_);
+    /// The sum divided by that of the weights. Precondition: something was added.
+    [[nodiscard]] Vec3<Real> mean(Node& node) const noexcept {
+        node.tally(Operation::reciprocal, 1);
+        return weighs(node) ? scale(node, reciprocal(weight_), weighted_)
+                            : scale(node, reciprocal(count_), unweighted_);
     }
 
   private:
+    [[nodiscard]] bool weighs(Node& node) const noexcept {
+        node.tally(Operation::compare_branch, 1);
+        return Real(0) < weight_;
+    }
     [[nodiscard]] Real weight_of(Node& node, Real diameter) const noexcept {
         node.tally(Operation::multiply_add, 1);
         node.tally(Operation::integer, 2);
@@ -56,7 +70,8 @@ class TotalNormal {
     Real outermost_diameter_;
     Vec3<Real> weighted_{};
     Vec3<Real> unweighted_{};
-    Real total_weight_{};
+    Real weight_{};
+    Real count_{};
 };
 
 /// c = (1 - a) c + a (r,g,b) with the four numbers at `address`.
@@ -80,99 +95,91 @@ template <NodeLike Node, class Real = typename Node::Real>
                   inverse));
 }
 
-/// The surface at a terminal cell. A cell around the eye gives no normal; if no cell gives one, it
-/// is the normal where the ray leaves the terminal cell.
-template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] Surface<Real> surface_at(Node& node, const Search<Real>& search,
-                                       const Cell<Real>& hit, ShadingMode mode) noexcept {
+/// Walks from the outermost cell to the one that was seen. `visit(cell, normal, t)` is
+/// called for each cell on the way that gives a normal, the world's unit normal where the ray
+/// enters it, and where that is. `facet` wants the last cell's only. A cell around the ray's start
+/// gives none; if no cell gives one, it is the normal where the ray leaves the last cell, or points
+/// along the ray where under local covers it passes all of them. Returns the surface's colour.
+template <NodeLike Node, class Visit, class Real = typename Node::Real>
+Vec3<Real> walk_path(Node& node, const Sighting<Real>& seen, ShadingMode mode,
+                     const Visit& visit) noexcept {
     using Object = ObjectRecord<real_words<Real>>;
     using Map = MapRecord<real_words<Real>>;
     node.tally(Operation::call, 1);
-    Surface<Real> surface;
-    surface.color = read_vector(node, hit.object + Object::color);
-    surface.diffuse = node.shape_real(hit.object + Object::diffuse);
+    const Cell<Real>& hit = seen.cell;
+    Vec3<Real> color = read_vector(node, hit.object + Object::color);
     Linear<Real> inverse = read_linear(node, hit.object + Object::inverse);
     const bool polar = is_polar(node, hit.object);
-
+    bool visited = false;
     Cell<Real> cell;
-    outermost_cell(node, search, hit.object, cell);
-    TotalNormal<Node> total(mode, cell_diameter(node, cell));
+    outermost_cell(node, seen.search, hit.object, cell);
     while (true) {
         node.tally(Operation::loop_turn, 1);
         approach(node, cell);
-        const bool last = cell.level == hit.level;
         const auto inside = intersect_volume(node, cell.ray, cell.follow_set);
         node.tally(Operation::compare_branch, 1);
         node.tally(Operation::integer, 2);
-        const bool entered = inside && Real(0) < inside->entry;
+        const bool last = cell.level == hit.level;
+        const bool entered = inside && seen.search.start < inside->entry;
         if (entered && (last || mode != ShadingMode::facet)) {
-            total.add(node, cell_normal(node, cell, inside->entry, Side::entry, inverse),
-                      cell_diameter(node, cell));
+            visit(cell, cell_normal(node, cell, inside->entry, Side::entry, inverse),
+                  inside->entry);
+            visited = true;
+        } else if (last && inside && !visited) {
+            visit(cell, cell_normal(node, cell, inside->exit, Side::exit, inverse), inside->exit);
+        } else if (last && !visited) {
+            visit(cell, negate(seen.search.ray.direction), hit.key);
         }
-        if (last) {
-            if (inside && total.empty(node)) {
-                total.add(node, cell_normal(node, cell, inside->exit, Side::exit, inverse),
-                          cell_diameter(node, cell));
-            }
-            surface.normal = total.unit(node);
-            return surface;
-        }
+        if (last) return color;
         node.tally(Operation::integer, 3);
         const std::uint32_t map =
             map_from(node, cell.follow_set, hit.word.get(cell.level, hit.bits));
         Cell<Real> child;
-        child_cell(node, search, cell, map, child);
+        child_cell(node, seen.search, cell, map, child);
         if (polar) complete_child(node, cell, map, child);
         inverse =
             compose(node, inverse, read_linear(node, map + Map::inverse));  // M^-1 W_i1^-1 ...
-        surface.color = blend(node, surface.color, map + Map::color);
+        color = blend(node, color, map + Map::color);
         move_cell(node, cell, child);
     }
 }
 
-/// The unit vector from a point to a light that stands at `place`.
+/// The diameter of the outermost cell of an object, for Eq. 17.6.
 template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] Vec3<Real> direction_to_point_light(Node& node, const Vec3<Real>& point,
-                                                  const Vec3<Real>& place) noexcept {
-    return normalize(node, subtract(node, place, point));
+[[nodiscard]] Real outermost_diameter(Node& node, const Search<Real>& search,
+                                      std::uint32_t object) noexcept {
+    Cell<Real> cell;
+    outermost_cell(node, search, object, cell);
+    return cell_diameter(node, cell);
 }
 
-/// The unit vector from a point to a light, whatever its kind (Eq. 17.2).
-template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] Vec3<Real> direction_to_light(Node& node, const Vec3<Real>& point,
-                                            std::uint32_t light) noexcept {
-    using Light = LightRecord<real_words<Real>>;
-    const Vec3<Real> place = read_vector(node, light + Light::place);
-    node.tally(Operation::integer, 1);
-    if (static_cast<LightKind>(node.shape_word(light + Light::kind)) == LightKind::directional) {
-        return place;
+/// Adds up the normals of a path.
+template <NodeLike Node>
+struct AddNormal {
+    using Real = typename Node::Real;
+    Node& node;
+    PathSum<Node>& normals;
+    void operator()(const Cell<Real>& cell, const Vec3<Real>& normal, Real) const noexcept {
+        normals.add(node, normal, cell_diameter(node, cell));
     }
-    return direction_to_point_light(node, point, place);
-}
+};
 
-/// Lambert's law (Eq. 17.1) with the total normal, at a point of the world.
+/// The surface of a cell, with the total normal: the shortcut of Sec. 17.3.
 template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] Vec3<Real> illuminate(Node& node, const Surface<Real>& surface,
-                                    const Vec3<Real>& point) noexcept {
-    using Header = HeaderRecord<real_words<Real>>;
-    using Light = LightRecord<real_words<Real>>;
+[[nodiscard]] Surface<Real> surface_at(Node& node, const Sighting<Real>& seen,
+                                       ShadingMode mode) noexcept {
+    using Object = ObjectRecord<real_words<Real>>;
+    using Map = MapRecord<real_words<Real>>;
     node.tally(Operation::call, 1);
-    Vec3<Real> light_sum = read_vector(node, Header::ambient);
-    std::uint32_t light = node.shape_word(Header::lights);
-    for (std::uint32_t left = node.shape_word(Header::light_count); left > 0; --left) {
-        node.tally(Operation::loop_turn, 1);
-        node.tally(Operation::compare_branch, 1);
-        const Real facing = dot(node, surface.normal, direction_to_light(node, point, light));
-        if (Real(0) < facing) {
-            node.tally(Operation::multiply_add, 1);
-            light_sum = add_scaled(node, light_sum, surface.diffuse * facing,
-                                   read_vector(node, light + Light::color));
-        }
-        light += Light::words;
-    }
-    node.tally(Operation::multiply_add, 3);
-    return {light_sum.x * surface.color.x, light_sum.y * surface.color.y,
-            light_sum.z * surface.color.z};
+    Surface<Real> surface;
+    surface.diffuse = node.shape_real(seen.cell.object + Object::diffuse);
+    surface.reflect = node.shape_real(seen.cell.object + Object::reflect);
+    PathSum<Node> normals(mode, outermost_diameter(node, seen.search, seen.cell.object));
+    surface.color = walk_path(node, seen, mode, AddNormal<Node>{node, normals});
+    node.tally(Operation::integer, 1);
+    if (seen.map != 0) surface.color = blend(node, surface.color, seen.map + Map::color);
+    surface.normal = normalize(node, normals.sum(node));
+    return surface;
 }
 
 }  // namespace pxm::kernels

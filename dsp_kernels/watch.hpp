@@ -2,15 +2,25 @@
 #pragma once
 
 #include "dsp_kernels/cell.hpp"
+#include "dsp_kernels/search.hpp"
 
 namespace pxm::kernels {
 
 /// What happened to a cell.
 enum class CellEvent { met, missed, expanded, terminal, capped, dropped, restarted };
 
+/// What a ray is for.
+enum class RayKind { eye, mirror, light };
+
 template <class Node>
 void watch(Node& node, CellEvent event, const Cell<typename Node::Real>& cell) noexcept {
     if constexpr (Node::watched) node.watch(event, cell);
+}
+
+/// A search whose cells are told of next.
+template <class Node, class Real = typename Node::Real>
+void watch_ray(Node& node, RayKind kind, const Search<Real>& search) noexcept {
+    if constexpr (Node::watched) node.watch_ray(kind, search);
 }
 
 }  // namespace pxm::kernels

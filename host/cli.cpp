@@ -37,8 +37,9 @@ ExitCode run_command_line(int argc, const char* const* argv) {
     app.failure_message(CLI::FailureMessage::simple);
     const std::vector<std::pair<CLI::App*, CommandAction>> commands = [&] {
         std::vector<std::pair<CLI::App*, CommandAction>> list;
-        for (const auto add : {add_render_command, add_inspect_command, add_points_command,
-                               add_import_command, add_compare_command, add_models_command}) {
+        for (const auto add :
+             {add_render_command, add_inspect_command, add_points_command, add_import_command,
+              add_compare_command, add_study_command, add_models_command}) {
             CommandAction action = add(app);
             list.emplace_back(app.get_subcommands({}).back(), std::move(action));
         }

@@ -24,6 +24,8 @@ using CommandAction = std::function<ExitCode()>;
 [[nodiscard]] CommandAction add_compare_command(CLI::App& app);
 /// `pxm import FILE [-o SCENE]`.
 [[nodiscard]] CommandAction add_import_command(CLI::App& app);
+/// `pxm study KIND SCENE... -o DIR`.
+[[nodiscard]] CommandAction add_study_command(CLI::App& app);
 /// `pxm models`.
 [[nodiscard]] CommandAction add_models_command(CLI::App& app);
 

@@ -51,3 +51,13 @@ install_packages() {
 use_ccache() {
     if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
 }
+
+# Fetches what drives a browser in the tests of reports. Where that cannot be had they are skipped, and say so.
+prepare_browser() {
+    local modules=$root/tests/browser
+    [[ -d $modules/node_modules/playwright-core ]] && return
+    command -v npm >/dev/null || return 0
+    say "fetching playwright-core for the tests in a browser"
+    npm install --prefix "$modules" --no-audit --no-fund --no-package-lock >/dev/null 2>&1 ||
+        say "playwright-core could not be fetched: tests in a browser will be skipped"
+}

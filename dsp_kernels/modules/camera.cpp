@@ -5,6 +5,6 @@
 
 namespace pxm::kernels {
 
-template Ray<float> eye_ray(Node&, std::uint32_t, std::uint32_t) noexcept;
+template Ray<float> eye_ray(Node&, std::uint32_t, std::uint32_t, std::uint32_t) noexcept;
 
 }  // namespace pxm::kernels

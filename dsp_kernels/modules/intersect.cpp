@@ -6,6 +6,7 @@
 namespace pxm::kernels {
 
 template void push_objects(Node&, const Search<float>&, Heap<Node>&, SearchCounts&) noexcept;
+template void count_heap(const Heap<Node>&, SearchCounts&) noexcept;
 template void push_children(Node&, const Search<float>&, const Cell<float>&, Heap<Node>&,
                             SearchCounts&) noexcept;
 template SearchResult<float> intersect(Node&, const Search<float>&, Heap<Node>&,

@@ -5,7 +5,10 @@
 
 namespace pxm::kernels {
 
-template void next_after(Node&, const Search<float>&, Heap<Node>&, SearchResult<float>&,
-                         SearchCounts&) noexcept;
+template void next_after(Node&, const Search<float>&, Heap<Node>&, const Sought<float, SolidRule>&,
+                         SearchResult<float>&, SearchCounts&) noexcept;
+template bool CellPath<Node>::start(std::uint32_t) noexcept;
+template bool CellPath<Node>::down(std::uint32_t) noexcept;
+template std::uint32_t CellPath<Node>::up() noexcept;
 
 }  // namespace pxm::kernels

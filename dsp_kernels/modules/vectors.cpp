@@ -18,6 +18,7 @@ template Linear<float> compose(Node&, const Linear<float>&, const Linear<float>&
 template Linear<float> read_linear(Node&, std::uint32_t) noexcept;
 template AffineMap<float> read_affine(Node&, std::uint32_t) noexcept;
 template Ray<float> transform_ray(Node&, const Ray<float>&, const AffineMap<float>&) noexcept;
+template Vec3<float> point_at(Node&, const Ray<float>&, float) noexcept;
 template Ray<float> rebase(Node&, const Ray<float>&, const Vec3<float>&) noexcept;
 
 }  // namespace pxm::kernels

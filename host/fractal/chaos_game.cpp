@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/fractal/inner_points.hpp"
+
 namespace pxm::host {
 
 namespace {
 
 constexpr double floor_share = 1e-3;        // of the largest weight
-constexpr double settled = 1e-12;           // distance left of the first points' arbitrary place
+constexpr double settled = 1e-12;           // what is left of the first points' place and colour
 constexpr long longest_warm_up = 100'000;   // steps, however slow the contraction
+constexpr long sweep_budget = 1'000'000;    // points drawn to begin with, all sets together
 constexpr std::uint64_t restart_mask = 15;  // the walk begins again at the start once in 16 steps
 
 AliasTable table_of(const std::vector<std::uint32_t>& maps, const std::vector<double>& weights) {
@@ -62,7 +65,19 @@ ChaosGame::ChaosGame(const Rifs& rifs, const std::vector<double>& weights,
     const auto sets = static_cast<double>(sets_.size());
     const long warm_up = static_cast<long>(
         std::min<double>(static_cast<double>(longest_warm_up), 43 + 2 * steps * sets));  // Alg. 7.1
+    settle(rifs, static_cast<long>(std::min<double>(longest_warm_up, 1 + steps)));
     for (long i = 0; i < warm_up; ++i) (void)next();
+}
+
+// A set that the walk rarely comes to would keep its first point for long: that point belongs to
+// the attractor, and every set is drawn as often as the others before the walk begins.
+void ChaosGame::settle(const Rifs& rifs, long rounds) {
+    const Points inside = inner_point_of_each(rifs);
+    for (std::size_t s = 0; s < points_.size(); ++s) points_[s].place = inside[s];
+    const long sets = static_cast<long>(sets_.size());
+    for (long round = std::min(rounds, sweep_budget / sets + 1); round > 0; --round) {
+        for (long s = 0; s < sets; ++s) (void)draw(static_cast<std::uint32_t>(s));
+    }
 }
 
 std::uint64_t ChaosGame::random_bits() {

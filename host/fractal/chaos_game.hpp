@@ -61,6 +61,7 @@ class ChaosGame {
     [[nodiscard]] std::uint64_t random_bits();
     [[nodiscard]] std::uint32_t draw(std::uint32_t set);
     void refresh();
+    void settle(const Rifs& rifs, long rounds);
 
     std::vector<Step> steps_;
     std::vector<Set> sets_;

@@ -59,9 +59,46 @@ class Extremes {
     std::array<glm::dvec3, directions> point_;
 };
 
-/// One point of each E_s: always choosing the map that contracts most ends in a cycle of maps,
-/// whose fixed point is exact and whose images are points of the sets that lead to it.
-std::vector<glm::dvec3> one_point_each(const Rifs& rifs) {
+void offer_fixed_points(const Rifs& rifs, std::vector<Extremes>& extremes) {
+    for (std::size_t s = 0; s < extremes.size(); ++s) {
+        for (const int m : rifs.follow_sets[s].maps) {
+            if (rifs.follow_of[m] != static_cast<int>(s)) continue;
+            extremes[s].offer(fixed_point(rifs.maps[m]));
+        }
+    }
+}
+
+long rounds_for(const Rifs& rifs) {
+    long edges = 1;
+    for (const FollowSet& set : rifs.follow_sets) edges += static_cast<long>(set.maps.size());
+    return std::clamp<long>(work_limit / (edges * directions), 1, most_rounds);
+}
+
+}  // namespace
+
+std::vector<Points> inner_points(const Rifs& rifs) {
+    std::vector<Extremes> extremes(rifs.follow_sets.size());
+    std::vector<Points> points;
+    for (const glm::dvec3& point : inner_point_of_each(rifs)) points.push_back({point});
+    for (std::size_t s = 0; s < points.size(); ++s) extremes[s].offer(points[s][0]);
+    offer_fixed_points(rifs, extremes);
+    for (long round = rounds_for(rifs); round > 0; --round) {
+        for (std::size_t s = 0; s < points.size(); ++s) points[s] = extremes[s].points();
+        for (std::size_t s = 0; s < points.size(); ++s) {
+            for (const int m : rifs.follow_sets[s].maps) {
+                for (const glm::dvec3& point : points[rifs.follow_of[m]]) {
+                    extremes[s].offer(rifs.maps[m].point(point));
+                }
+            }
+        }
+    }
+    for (std::size_t s = 0; s < points.size(); ++s) points[s] = extremes[s].points();
+    return points;
+}
+
+// Always choosing the map that contracts most ends in a cycle of maps, whose fixed point is exact
+// and whose images are points of the sets that lead to it.
+std::vector<glm::dvec3> inner_point_of_each(const Rifs& rifs) {
     std::vector<double> lip;
     for (const Affine& map : rifs.maps) lip.push_back(lipschitz_constant(map));
     const auto choice = [&](int s) {
@@ -97,43 +134,6 @@ std::vector<glm::dvec3> one_point_each(const Rifs& rifs) {
         }
     }
     return point;
-}
-
-void offer_fixed_points(const Rifs& rifs, std::vector<Extremes>& extremes) {
-    for (std::size_t s = 0; s < extremes.size(); ++s) {
-        for (const int m : rifs.follow_sets[s].maps) {
-            if (rifs.follow_of[m] != static_cast<int>(s)) continue;
-            extremes[s].offer(fixed_point(rifs.maps[m]));
-        }
-    }
-}
-
-long rounds_for(const Rifs& rifs) {
-    long edges = 1;
-    for (const FollowSet& set : rifs.follow_sets) edges += static_cast<long>(set.maps.size());
-    return std::clamp<long>(work_limit / (edges * directions), 1, most_rounds);
-}
-
-}  // namespace
-
-std::vector<Points> inner_points(const Rifs& rifs) {
-    std::vector<Extremes> extremes(rifs.follow_sets.size());
-    std::vector<Points> points;
-    for (const glm::dvec3& point : one_point_each(rifs)) points.push_back({point});
-    for (std::size_t s = 0; s < points.size(); ++s) extremes[s].offer(points[s][0]);
-    offer_fixed_points(rifs, extremes);
-    for (long round = rounds_for(rifs); round > 0; --round) {
-        for (std::size_t s = 0; s < points.size(); ++s) points[s] = extremes[s].points();
-        for (std::size_t s = 0; s < points.size(); ++s) {
-            for (const int m : rifs.follow_sets[s].maps) {
-                for (const glm::dvec3& point : points[rifs.follow_of[m]]) {
-                    extremes[s].offer(rifs.maps[m].point(point));
-                }
-            }
-        }
-    }
-    for (std::size_t s = 0; s < points.size(); ++s) points[s] = extremes[s].points();
-    return points;
 }
 
 Points extremes_of(const Points& points) {

@@ -14,6 +14,9 @@ using Points = std::vector<glm::dvec3>;
 /// At least one and at most 26 points of each E_s. Precondition: the system contracts.
 [[nodiscard]] std::vector<Points> inner_points(const Rifs& rifs);
 
+/// One point of each E_s. Precondition: the system contracts.
+[[nodiscard]] Points inner_point_of_each(const Rifs& rifs);
+
 /// Those of the points that lie farthest in one of the 26 directions.
 [[nodiscard]] Points extremes_of(const Points& points);
 

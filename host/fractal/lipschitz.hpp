@@ -19,6 +19,8 @@ struct SingularValues {
 
 /// The largest singular value: Lip w by polar decomposition (Sec. 16.2).
 [[nodiscard]] double lipschitz_constant(const Affine& map);
+/// The smallest singular value.
+[[nodiscard]] double smallest_singular_value(const Affine& map);
 /// The cube root of |det T|, a lower bound (Eq. 16.3, erratum 6).
 [[nodiscard]] double determinant_constant(const Affine& map);
 

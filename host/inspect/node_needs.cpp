@@ -21,18 +21,6 @@ Scene supported_part(const Scene& scene) {
     Scene part = scene;
     part.planes.clear();
     part.textures.clear();
-    std::erase_if(part.objects, [](const ObjectBlock& object) { return !object.ifs; });
-    for (ObjectBlock& object : part.objects) {
-        if (object.volume && std::holds_alternative<HullVolume>(*object.volume)) {
-            object.volume.reset();
-        }
-    }
-    // Without objects every ifs would be shown; here there were objects, of another kind.
-    if (part.objects.empty() && !scene.objects.empty()) part.ifs.clear();
-    if (part.render &&
-        (part.render->volume == VolumeKind::oriented || part.render->volume == VolumeKind::hull)) {
-        part.render->volume.reset();
-    }
     return part;
 }
 

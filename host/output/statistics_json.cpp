@@ -48,8 +48,8 @@ Json node_json(const NodeStatistics& node) {
     return {{"id", node.id},
             {"column", node.column},
             {"row", node.row},
-            {"pixels", node.rays.eye_rays},
-            {"rays", node.rays.eye_rays},
+            {"pixels", node.rays.pixels},
+            {"rays", node.rays.eye_rays + node.rays.light_rays + node.rays.reflect_rays},
             {"volumes_tested", node.rays.volumes_tested},
             {"heap_pushes", node.rays.heap_pushes},
             {"heap_peak", node.rays.heap_peak},
@@ -91,7 +91,9 @@ std::string statistics_json(const Statistics& s) {
                        {"load", s.seconds.load},   {"render", s.seconds.render},
                        {"write", s.seconds.write}, {"total", s.seconds.total}};
     json["intersect"] = {{"method", s.intersect}, {"because", s.intersect_because}};
-    json["rays"] = {{"eye", s.rays.eye_rays}, {"light", 0}, {"reflect", 0}};
+    json["rays"] = {{"eye", s.rays.eye_rays},
+                    {"light", s.rays.light_rays},
+                    {"reflect", s.rays.reflect_rays}};
     json["hits"] = s.rays.hits;
     json["volumes_tested"] = s.rays.volumes_tested;
     json["heap_overflows"] = s.rays.heap_overflows;

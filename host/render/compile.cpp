@@ -10,7 +10,10 @@
 #include <optional>
 
 #include "host/fractal/lipschitz.hpp"
+#include "host/render/bounding_volume.hpp"
 #include "host/render/lifted_fractal.hpp"
+#include "host/render/lights.hpp"
+#include "host/render/samples.hpp"
 #include "host/render/view.hpp"
 #include "host/render/volumes.hpp"
 #include "host/scene/default_objects.hpp"
@@ -22,17 +25,19 @@ namespace {
 constexpr double largest_length = 1e100;  // world units: the square of more is no double
 constexpr glm::dvec3 base_color{0.9, 0.9, 0.9};
 
-/// An object on its way: its block, its fractal, its place in the world.
+/// An object on its way: its block, its fractal (none if a volume is the object), its place in the
+/// world.
 struct Placed {
     const ObjectBlock* block;
     Fractal* fractal;
     Affine instance;  // ifs coordinates to world
 
-    [[nodiscard]] const Bounds& outermost() const {
-        return fractal->bounds[static_cast<std::size_t>(fractal->rifs.start)];
+    [[nodiscard]] Ball own_ball() const {
+        if (fractal == nullptr) return ball_around(primitive_volume(*block->volume));
+        return fractal->bounds[static_cast<std::size_t>(fractal->rifs.start)].ball;
     }
     [[nodiscard]] Ball world_ball() const {
-        const Ball& ball = outermost().ball;
+        const Ball ball = own_ball();
         return {instance.point(ball.center), lipschitz_constant(instance) * ball.radius};
     }
 };
@@ -87,23 +92,24 @@ double constant_by(kernels::Lipschitz method, const Affine& map) {
 struct Frame {
     glm::dvec3 center{0.0};
     double scale = 1;
-
-    [[nodiscard]] glm::dvec3 to_shape(const glm::dvec3& x) const { return (x - center) / scale; }
 };
 
-CompiledVolume to_shape(const CompiledVolume& volume, const Frame& frame) {
-    CompiledVolume result = volume;
-    result.center = frame.to_shape(volume.center);
-    result.low = frame.to_shape(volume.low);
-    result.high = frame.to_shape(volume.high);
-    result.radius = volume.radius / frame.scale;
-    result.diameter = volume.diameter / frame.scale;
-    return result;
+/// For every map the diameter of the largest volume that it may stand in.
+std::vector<double> diameters_around(const Rifs& rifs, const std::vector<CompiledVolume>& volumes) {
+    std::vector<double> around(rifs.maps.size(), 0);
+    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
+        for (const int map : rifs.follow_sets[s].maps) {
+            double& largest = around[static_cast<std::size_t>(map)];
+            largest = std::max(largest, volumes[s].diameter);
+        }
+    }
+    return around;
 }
 
 CompiledShape make_shape(const IfsBlock& block, const Fractal& fractal, const Frame& frame,
                          const std::vector<CompiledVolume>& volumes, kernels::Lipschitz method) {
     const Rifs& rifs = fractal.rifs;
+    const std::vector<double> around = diameters_around(rifs, volumes);
     CompiledShape shape;
     shape.ifs = block.name;
     shape.map_names = rifs.map_names;
@@ -111,38 +117,21 @@ CompiledShape make_shape(const IfsBlock& block, const Fractal& fractal, const Fr
     shape.lifted = fractal.lifted;
     shape.lipschitz = method;
     for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
-        shape.sets.push_back({to_shape(volumes[s], frame), rifs.follow_sets[s].maps});
+        shape.sets.push_back(
+            {in_frame(volumes[s], frame.center, frame.scale), rifs.follow_sets[s].maps});
     }
     for (std::size_t i = 0; i < rifs.maps.size(); ++i) {
         const Affine& map = rifs.maps[i];
         shape.maps.push_back({{map.linear, (map.point(frame.center) - frame.center) / frame.scale},
                               constant_by(method, map),
+                              smallest_singular_value(map) *
+                                  volumes[static_cast<std::size_t>(rifs.follow_of[i])].diameter /
+                                  around[i],
                               block.maps[i].color.value_or(glm::dvec4{0.0}),
                               rifs.follow_of[i],
                               lost_axes(fractal.exact.maps[i])});
     }
     return shape;
-}
-
-std::vector<CompiledLight> compile_lights(const Scene& scene, const glm::dvec3& eye, double unit) {
-    std::vector<LightBlock> lights = scene.lights;
-    if (lights.empty()) {
-        lights.emplace_back();
-        lights.back().direction = glm::dvec3{0.5, 1, -0.7};
-    }
-    std::vector<CompiledLight> compiled;
-    for (const LightBlock& light : lights) {
-        CompiledLight result;
-        result.color = light.color.value_or(glm::dvec3{1.0});
-        if (light.location) {
-            result.kind = kernels::LightKind::point;
-            result.place = (*light.location - eye) / unit;
-        } else {
-            result.place = glm::normalize(*light.direction);
-        }
-        compiled.push_back(result);
-    }
-    return compiled;
 }
 
 kernels::ShadingMode shading_mode(Shading shading) {
@@ -180,7 +169,7 @@ class Compiler {
         for (const Placed& object : objects) add_object(object);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
-        out_.detail = render_.detail.value_or(out_.detail);
+        set_sampling();
         out_.heap = render_.heap.value_or(out_.heap);
         out_.ambient = render_.ambient.value_or(out_.ambient);
         out_.background = render_.background.value_or(out_.background);
@@ -196,12 +185,18 @@ class Compiler {
         }
     }
 
+    /// The bounded fractal that an object shows; none if a volume is the object.
+    Fractal* fractal_of(const ObjectBlock& block) {
+        if (!block.ifs) return nullptr;
+        Fractal& fractal = fractals_.at(*block.ifs);
+        if (fractal.bounds.empty()) fractal.bounds = bound(fractal.rifs, fractal.contraction);
+        return &fractal;
+    }
+
     std::vector<Placed> place(const std::vector<ObjectBlock>& blocks) {
         std::vector<Placed> objects;
         for (const ObjectBlock& block : blocks) {
-            Fractal& fractal = fractals_.at(*block.ifs);
-            if (fractal.bounds.empty()) fractal.bounds = bound(fractal.rifs, fractal.contraction);
-            objects.push_back({&block, &fractal, compose(block.commands)});
+            objects.push_back({&block, fractal_of(block), compose(block.commands)});
             const Ball ball = objects.back().world_ball();
             if (!(glm::length(ball.center) <= largest_length && ball.radius <= largest_length)) {
                 diagnostics_.error(block.position,
@@ -228,12 +223,27 @@ class Compiler {
         out_.camera = compile_view(view_, out_.size, out_.unit);
     }
 
+    void set_sampling() {
+        out_.detail = render_.detail.value_or(out_.detail);
+        out_.fade = out_.detail;
+        if (const auto* covers = render_.covers ? std::get_if<Covers>(&*render_.covers) : nullptr) {
+            out_.fade = out_.detail * covers->tau_max;
+            out_.detail *= covers->tau_min;
+            out_.covers = true;
+        }
+        out_.bounces = render_.bounces.value_or(out_.bounces);
+        out_.samples = sample_places(render_.samples.value_or(1));
+        const double finer = std::sqrt(static_cast<double>(out_.samples.size()));
+        out_.camera.pixel_at_eye /= finer;
+        out_.camera.pixel_growth /= finer;
+    }
+
     /// Gives flat images the thickness of a pixel, as seen at the nearest object of the ifs: a ray
     /// a pixel does not miss them edge on.
     void lift_to_pixels(const std::vector<Placed>& objects) {
         std::map<Fractal*, double> thickness;
         for (const Placed& object : objects) {
-            if (!object.fractal->lifted) continue;
+            if (object.fractal == nullptr || !object.fractal->lifted) continue;
             const double distance = glm::distance(view_.eye, object.world_ball().center);
             const double p = pixel_size(view_, out_.size, distance);
             const double extent =
@@ -248,48 +258,64 @@ class Compiler {
     }
 
     void add_object(const Placed& object) {
-        const Fractal& fractal = *object.fractal;
-        const Ball& ball = object.outermost().ball;
+        const Ball ball = object.own_ball();
         const Frame frame{ball.center, power_of_two_near(ball.radius)};
-        const auto volumes =
-            choose_volumes(*object.block, render_.volume.value_or(VolumeKind::automatic),
-                           fractal.rifs, fractal.bounds, diagnostics_);
-        const auto method =
-            choose_lipschitz(render_.lipschitz.value_or(LipschitzMethod::automatic), fractal.exact);
         CompiledObject result;
         result.name = object.block->name;
-        result.shape = shape_for(*object.block->ifs, fractal, frame, volumes, method);
+        result.shape = object.fractal == nullptr ? shape_of_volume(*object.block, frame)
+                                                 : shape_of_fractal(object, frame);
+        const CompiledShape& shape = out_.shapes[static_cast<std::size_t>(result.shape)];
         result.instance.linear = object.instance.linear * (frame.scale / out_.unit);
         result.instance.translation = (object.instance.point(frame.center) - view_.eye) / out_.unit;
-        result.constant = constant_by(method, result.instance);
-        const CompiledShape& shape = out_.shapes[static_cast<std::size_t>(result.shape)];
+        result.constant = constant_by(shape.lipschitz, result.instance);
         result.diameter = lipschitz_constant(result.instance) *
                           shape.sets[static_cast<std::size_t>(shape.start)].volume.diameter;
         const glm::dvec4 paint = object.block->color.value_or(glm::dvec4{0.0});
         result.color = base_color * (1 - paint.a) + glm::dvec3{paint} * paint.a;
         result.diffuse = object.block->diffuse.value_or(0.8);
-        if (object.block->levels) {
+        result.opacity = object.block->opacity.value_or(1);
+        result.reflect = object.block->reflect.value_or(0);
+        if (object.fractal == nullptr) {
+            result.levels = 0;  // its outermost cell is all there is
+        } else if (object.block->levels) {
             result.levels = static_cast<std::uint32_t>(
                 std::min<long>(*object.block->levels, kernels::unlimited_levels - 1));
         }
         out_.objects.push_back(result);
     }
 
-    /// The shape of an ifs with those volumes: the one made before if there is one.
-    int shape_for(const std::string& ifs, const Fractal& fractal, const Frame& frame,
-                  const std::vector<CompiledVolume>& volumes, kernels::Lipschitz method) {
-        std::string key = ifs;
-        for (const CompiledVolume& v : volumes) {
-            key += fmt::format("/{} {} {} {} {} {} {} {} {}", static_cast<int>(v.kind), v.center.x,
-                               v.center.y, v.center.z, v.radius, v.diameter, v.low.x, v.low.y,
-                               v.low.z);
+    int shape_of_fractal(const Placed& object, const Frame& frame) {
+        const Fractal& fractal = *object.fractal;
+        const std::string& name = *object.block->ifs;
+        const auto volumes =
+            choose_volumes(*object.block, render_.volume.value_or(VolumeKind::automatic),
+                           fractal.rifs, fractal.bounds, diagnostics_);
+        const auto method =
+            choose_lipschitz(render_.lipschitz.value_or(LipschitzMethod::automatic), fractal.exact);
+        const auto block = std::ranges::find(scene_.ifs, name, &IfsBlock::name);
+        return shared(make_shape(*block, fractal, frame, volumes, method));
+    }
+
+    int shape_of_volume(const ObjectBlock& block, const Frame& frame) {
+        CompiledShape shape;
+        shape.sets.push_back(
+            {in_frame(primitive_volume(*block.volume), frame.center, frame.scale), {}});
+        return shared(shape);
+    }
+
+    /// The number of a shape: that of one made before if there is an equal one.
+    int shared(const CompiledShape& shape) {
+        const auto same = [&](const CompiledShape& other) {
+            return other.ifs == shape.ifs &&
+                   std::ranges::equal(other.sets, shape.sets, {}, &CompiledSet::volume,
+                                      &CompiledSet::volume);
+        };
+        const auto found = std::ranges::find_if(out_.shapes, same);
+        if (found == out_.shapes.end()) {
+            out_.shapes.push_back(shape);
+            return static_cast<int>(out_.shapes.size()) - 1;
         }
-        const auto [found, added] = shape_of_.emplace(key, static_cast<int>(out_.shapes.size()));
-        if (added) {
-            const auto block = std::ranges::find(scene_.ifs, ifs, &IfsBlock::name);
-            out_.shapes.push_back(make_shape(*block, fractal, frame, volumes, method));
-        }
-        return found->second;
+        return static_cast<int>(found - out_.shapes.begin());
     }
 
     const Scene& scene_;
@@ -297,7 +323,6 @@ class Compiler {
     double zoom_;
     Diagnostics& diagnostics_;
     std::map<std::string, Fractal> fractals_;
-    std::map<std::string, int> shape_of_;
     View view_;
     CompiledScene out_;
 };

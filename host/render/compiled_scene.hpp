@@ -3,7 +3,9 @@
 // makes it, host/render/scene_block rounds it to node words.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <string>
@@ -11,6 +13,7 @@
 
 #include "dsp_kernels/scene_block.hpp"
 #include "host/fractal/affine.hpp"
+#include "host/fractal/polytope.hpp"
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {
@@ -19,10 +22,13 @@ namespace pxm::host {
 struct CompiledVolume {
     kernels::Volume kind = kernels::Volume::sphere;
     glm::dvec3 center{0.0};
-    double radius = 0;  // sphere
+    double radius = 0;  // sphere, cone, cylinder
     glm::dvec3 low{0.0};
-    glm::dvec3 high{0.0};  // box
+    glm::dvec3 high{0.0};                // box
+    std::array<glm::dvec3, 3> half{};    // oriented: half edges, perpendicular
+    std::vector<HalfSpace> half_spaces;  // hull
     double diameter = 0;
+    bool operator==(const CompiledVolume&) const = default;
 };
 
 struct CompiledSet {
@@ -33,15 +39,16 @@ struct CompiledSet {
 struct CompiledMap {
     Affine map;
     double constant = 0;  // by the shape's Lipschitz method
+    double least = 0;     // least diameter of its cell, as a share of the cell's around it
     glm::dvec4 color{0.0};
     int follow_set = 0;
     std::vector<glm::dvec3> lost;  // unit axes that the map squashed before it was lifted
 };
 
-/// A linear fractal with its volumes: the master object that objects are instances of. Its
-/// coordinates are chosen such that its ball is about the unit ball.
+/// A linear fractal with its volumes, or one volume without maps: the master object that objects
+/// are instances of. Its coordinates are chosen such that its ball is about the unit ball.
 struct CompiledShape {
-    std::string ifs;
+    std::string ifs;  // empty: a volume that is an object itself
     std::vector<std::string> map_names;
     std::vector<CompiledMap> maps;
     std::vector<CompiledSet> sets;
@@ -58,6 +65,8 @@ struct CompiledObject {
     double diameter = 0;  // of the outermost volume, scene units
     glm::dvec3 color{0.0};
     double diffuse = 0;
+    double opacity = 1;  // of its volumes
+    double reflect = 0;  // share of a mirror's image
     std::uint32_t levels = kernels::unlimited_levels;
 };
 
@@ -65,6 +74,7 @@ struct CompiledLight {
     kernels::LightKind kind = kernels::LightKind::directional;
     glm::dvec3 place{0.0};
     glm::dvec3 color{1.0};
+    bool shadow = false;
 };
 
 struct CompiledCamera {
@@ -85,12 +95,23 @@ struct CompiledScene {
     std::vector<CompiledLight> lights;
     CompiledCamera camera;
     kernels::ShadingMode shading = kernels::ShadingMode::constant;
-    double detail = 1;
-    std::uint32_t cell_cap = 1'000'000;  // most cells tested for one ray
+    double detail = 1;  // terminal at so many pixels; with covers tau_min
+    double fade = 1;    // covers begin to show at so many pixels: tau_max
+    bool covers = false;
+    long bounces = 4;                             // most mirrors one after another
+    std::vector<glm::dvec2> samples{{0.5, 0.5}};  // places of a pixel's eye rays in it
+    std::uint32_t cell_cap = 1'000'000;           // most cells tested for one ray
     long heap = 256;
     glm::dvec3 ambient{0.2};
     glm::dvec3 background{0.02, 0.02, 0.03};
     double unit = 1;  // world length of one scene unit
 };
+
+/// What the tracer must do for a scene.
+[[nodiscard]] bool needs_covers(const CompiledScene& scene);   // or has translucent objects
+[[nodiscard]] bool needs_shadows(const CompiledScene& scene);  // has lights that cast them
+[[nodiscard]] bool needs_mirrors(const CompiledScene& scene);
+/// Nothing of these: the first cell along each eye ray is all that counts.
+[[nodiscard]] bool needs_plain_features(const CompiledScene& scene);
 
 }  // namespace pxm::host

@@ -23,15 +23,26 @@ class WatchedNode : public NativeNode<Real_> {
     struct Event {
         kernels::CellEvent event;
         kernels::Cell<Real> cell;
+        std::size_t ray;
+    };
+    struct WatchedRay {
+        kernels::RayKind kind;
+        kernels::Search<Real> search;
     };
     void watch(kernels::CellEvent event, const kernels::Cell<Real>& cell) {
         events_.emplace_back();
         events_.back().event = event;
         kernels::copy_cell(events_.back().cell, cell);
+        events_.back().ray = rays_.size() - 1;
+    }
+    void watch_ray(kernels::RayKind kind, const kernels::Search<Real>& search) {
+        rays_.push_back({kind, search});
     }
     [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+    [[nodiscard]] const std::vector<WatchedRay>& rays() const { return rays_; }
 
   private:
+    std::vector<WatchedRay> rays_;
     std::vector<Event> events_;
 };
 
@@ -68,58 +79,100 @@ std::string word_text(const CompiledScene& scene, const std::vector<std::uint32_
     return text;
 }
 
+/// A cell, and what happened to it, in a line.
 template <class Real>
+std::string event_text(const CompiledScene& scene, const std::vector<std::uint32_t>& block,
+                       WatchedNode<Real>& node, const kernels::Search<Real>& search,
+                       const typename WatchedNode<Real>::Event& event) {
+    using enum kernels::CellEvent;
+    const kernels::Cell<Real>& cell = event.cell;
+    const auto world = [&](Real length) { return to_double(length) * scene.unit; };
+    const bool interval = event.event != missed;
+    const bool sized = event.event == expanded || event.event == terminal || event.event == capped;
+    const auto number = [](bool known, double value, int digits) {
+        return known ? fmt::format("{:.{}g}", value, digits) : std::string("-");
+    };
+    const double diameter = sized ? world(kernels::cell_diameter(node, cell)) : 0;
+    const double p = sized ? world(kernels::pixel_at(node, search, cell.object, cell.key)) : 0;
+    return fmt::format("{:<14} {:>5} {:>14} {:>14} {:>12} {:>12}  {}\n", name_of(event.event),
+                       cell.level, number(interval, world(cell.key), 9),
+                       number(interval, world(cell.exit), 9), number(sized, diameter, 6),
+                       number(sized, p, 6), word_text(scene, block, cell));
+}
+
+const char* name_of(kernels::RayKind kind) {
+    switch (kind) {
+        case kernels::RayKind::eye:
+            return "ray";
+        case kernels::RayKind::mirror:
+            return "mirror ray";
+        case kernels::RayKind::light:
+            return "light ray";
+    }
+    return "";
+}
+
+template <class Real>
+std::string ray_text(kernels::RayKind kind, const kernels::Ray<Real>& ray) {
+    return fmt::format("{} from ({:.9g} {:.9g} {:.9g}) along ({:.9g} {:.9g} {:.9g})", name_of(kind),
+                       to_double(ray.origin.x), to_double(ray.origin.y), to_double(ray.origin.z),
+                       to_double(ray.direction.x), to_double(ray.direction.y),
+                       to_double(ray.direction.z));
+}
+
+template <class Real>
+std::string end_text(const kernels::PixelResult<Real>& result) {
+    const char* end = result.found.outcome == kernels::Outcome::miss ? "a miss"
+                      : result.counts.capped > 0                     ? "the cap on cells"
+                                                                     : "a terminal cell";
+    return fmt::format(
+        "ended by {}; {} volumes tested, at most {} cells in the heap; colour {:.6g} {:.6g} "
+        "{:.6g}\n",
+        end, result.counts.volumes_tested, result.counts.heap_peak, to_double(result.color.x),
+        to_double(result.color.y), to_double(result.color.z));
+}
+
+template <class Real, kernels::Features features>
 std::string describe(const CompiledScene& scene, long x, long y) {
     const std::vector<std::uint32_t> block = make_scene_block<Real>(scene);
     WatchedNode<Real> node(block, scene.heap, sizeof(kernels::Cell<Real>));
     kernels::Heap<WatchedNode<Real>> heap(node);
     auto frame = kernels::read_frame_constants(node);
     kernels::PixelResult<Real> result;
-    kernels::render_pixel(node, frame, heap, static_cast<std::uint32_t>(x),
-                          static_cast<std::uint32_t>(y), result);
-    const auto world = [&](Real length) { return to_double(length) * scene.unit; };
-    std::string text = fmt::format(
-        "pixel {},{}: ray from ({:.9g} {:.9g} {:.9g}) along ({:.9g} {:.9g} {:.9g}) in scene units "
-        "with the eye at the origin; 1 scene unit = {:.9g}\n"
-        "{:<14} {:>5} {:>14} {:>14} {:>12} {:>12}  cell\n",
-        x, y, to_double(frame.search.ray.origin.x), to_double(frame.search.ray.origin.y),
-        to_double(frame.search.ray.origin.z), to_double(frame.search.ray.direction.x),
-        to_double(frame.search.ray.direction.y), to_double(frame.search.ray.direction.z),
-        scene.unit, "", "level", "key", "exit", "diameter", "p(key)");
-    for (const auto& [event, cell] : node.events()) {
-        const bool interval = event != kernels::CellEvent::missed;
-        const bool sized = event == kernels::CellEvent::expanded ||
-                           event == kernels::CellEvent::terminal ||
-                           event == kernels::CellEvent::capped;
-        const auto number = [](bool known, double value, int digits) {
-            return known ? fmt::format("{:.{}g}", value, digits) : std::string("-");
-        };
-        text += fmt::format(
-            "{:<14} {:>5} {:>14} {:>14} {:>12} {:>12}  {}\n", name_of(event), cell.level,
-            number(interval, world(cell.key), 9), number(interval, world(cell.exit), 9),
-            number(sized, sized ? world(kernels::cell_diameter(node, cell)) : 0, 6),
-            number(sized,
-                   sized ? world(kernels::pixel_at(node, frame.search, cell.object, cell.key)) : 0,
-                   6),
-            word_text(scene, block, cell));
+    kernels::render_pixel<features>(node, frame, heap, static_cast<std::uint32_t>(x),
+                                    static_cast<std::uint32_t>(y), result);
+    std::string text;
+    auto event = node.events().begin();
+    for (std::size_t i = 0; i < node.rays().size(); ++i) {
+        const auto& [kind, search] = node.rays()[i];
+        if (i == 0) {
+            text += fmt::format(
+                "pixel {},{}: {} in scene units with the eye at the origin; 1 scene unit = {:.9g}\n"
+                "{:<14} {:>5} {:>14} {:>14} {:>12} {:>12}  cell\n",
+                x, y, ray_text(kind, search.ray), scene.unit, "", "level", "key", "exit",
+                "diameter", "p(key)");
+        } else {
+            text += ray_text(kind, search.ray) + "\n";
+        }
+        for (; event != node.events().end() && event->ray == i; ++event) {
+            text += event_text(scene, block, node, search, *event);
+        }
     }
-    const char* end = result.found.outcome == kernels::Outcome::miss  ? "a miss"
-                      : result.found.outcome == kernels::Outcome::hit ? "a terminal cell"
-                                                                      : "the cap on cells";
-    text += fmt::format(
-        "ended by {}; {} volumes tested, at most {} cells in the heap; colour {:.6g} {:.6g} "
-        "{:.6g}\n",
-        end, result.counts.volumes_tested, result.counts.heap_peak, to_double(result.color.x),
-        to_double(result.color.y), to_double(result.color.z));
-    return text;
+    return text + end_text(result);
+}
+
+template <class Real>
+std::string describe_what_is_needed(const CompiledScene& scene, long x, long y) {
+    return needs_plain_features(scene) ? describe<Real, kernels::plain_features>(scene, x, y)
+                                       : describe<Real, kernels::all_features>(scene, x, y);
 }
 
 }  // namespace
 
 std::string describe_pixel(const CompiledScene& scene, Numeric numeric, long x, long y) {
-    if (numeric == Numeric::twice) return describe<double>(scene, x, y);
-    if (numeric == Numeric::dsp32) return describe<dsp32::Float>(scene, x, y);
-    return describe<float>(scene, x, y);
+    if (numeric == Numeric::twice) return describe_what_is_needed<double>(scene, x, y);
+    if (numeric == Numeric::dsp32) return describe_what_is_needed<dsp32::Float>(scene, x, y);
+    return describe_what_is_needed<float>(scene, x, y);
 }
 
 }  // namespace pxm::host

@@ -34,10 +34,10 @@ void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& 
     pixel.color[2] = number(result.color.z);
     pixel.volumes = static_cast<std::uint32_t>(result.counts.volumes_tested);
     pixel.heap = static_cast<std::uint32_t>(result.counts.heap_peak);
+    pixel.alpha = std::min(number(result.opacity), 1.0F);
     const bool hit = result.found.outcome != kernels::Outcome::miss;
     if (hit) {
         const kernels::Cell<Real>& cell = result.found.cell;
-        pixel.alpha = 1;
         pixel.z = static_cast<float>(to_double(cell.key) * scene.unit);
         pixel.normal[0] = number(result.normal.x);
         pixel.normal[1] = number(result.normal.y);
@@ -46,14 +46,17 @@ void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& 
         pixel.level = cell.level;
         pixel.word = word_hash(cell);
     }
-    ++rays.eye_rays;
+    ++rays.pixels;
+    rays.eye_rays += scene.samples.size();
+    rays.light_rays += result.rays.light;
+    rays.reflect_rays += result.rays.reflect;
     rays.hits += hit ? 1 : 0;
     rays.volumes_tested += result.counts.volumes_tested;
     rays.heap_pushes += result.counts.heap_pushes;
     rays.heap_peak = std::max(rays.heap_peak, result.counts.heap_peak);
     rays.heap_overflows += result.counts.heap_overflows;
     rays.restarts += result.counts.restarts;
-    rays.capped_rays += result.found.outcome == kernels::Outcome::capped ? 1 : 0;
+    rays.capped_rays += result.counts.capped;
 }
 
 }  // namespace pxm::host

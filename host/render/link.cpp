@@ -47,7 +47,12 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
         return shape.lipschitz == kernels::Lipschitz::polar;
     });
     const bool lifted = std::ranges::any_of(scene.shapes, &CompiledShape::lifted);
+    const bool plain = needs_plain_features(scene);
+    const bool shadows = objects && needs_shadows(scene);
     take("pixel_program", true, "every node has pixels", "");
+    take("trace", plain, "the first cell of each eye ray is all that counts",
+         "trace_all takes its place");
+    take("trace_all", !plain, "local covers, shadows or mirrors", "trace is enough");
     take("vectors", true, "every other module calls it", "");
     take("camera", true, "every pixel has an eye ray", "");
     take("perspective", perspective, "a perspective camera", "an orthographic camera");
@@ -59,11 +64,27 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
     take("sphere", any_volume(scene, kernels::Volume::sphere), "bounding spheres",
          "no bounding sphere");
     take("box", any_volume(scene, kernels::Volume::box), "bounding boxes", "no bounding box");
+    take("oriented", any_volume(scene, kernels::Volume::oriented),
+         "bounding boxes in axes of their own", "no box in axes of its own");
+    take("hull", any_volume(scene, kernels::Volume::hull), "bounding hulls", "no bounding hull");
+    take("cone", any_volume(scene, kernels::Volume::cone), "cones", "no cone");
+    take("cylinder", any_volume(scene, kernels::Volume::cylinder), "cylinders", "no cylinder");
     take("polar", polar, "maps that are no similitudes, or lipschitz: polar",
          "Lipschitz constants by product or determinant");
     take("flatness", lifted, "lifted singular maps", "no singular map");
     take("shade", objects, "objects are shaded", "no objects");
     take("illuminate", objects, "objects are lit", "no objects");
+    take("covers", needs_covers(scene), "local covers or translucent objects",
+         "covers: off, and no translucent object");
+    take("shadow", shadows, "lights that cast shadows", "no light casts shadows");
+    take("shadow_point",
+         shadows && std::ranges::any_of(scene.lights,
+                                        [](const CompiledLight& light) {
+                                            return light.shadow &&
+                                                   light.kind == kernels::LightKind::point;
+                                        }),
+         "point lights that cast shadows", "no point light casts shadows");
+    take("mirror", needs_mirrors(scene), "surfaces that reflect", "no surface reflects");
     take("point_light", objects && any_light(scene, kernels::LightKind::point), "point lights",
          objects ? "directional lights only" : "no objects");
 }
@@ -120,7 +141,10 @@ std::int64_t NodeProgram::used_bytes() const {
 NodeProgram link(const CompiledScene& scene) {
     NodeProgram program;
     choose_modules(scene, program);
-    const auto entry = std::ranges::find(function_table, entry_function, &MeasuredFunction::name);
+    const std::string_view tracer = needs_plain_features(scene) ? "trace" : "trace_all";
+    const auto entry = std::ranges::find_if(function_table, [&](const MeasuredFunction& function) {
+        return function.module == tracer && function.name == entry_function;
+    });
     const auto start = static_cast<std::size_t>(entry - function_table.begin());
     Stack stack(program);
     program.stack_bytes = stack.depth(start);

@@ -80,7 +80,7 @@ MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistic
     return statistics;
 }
 
-template <class Real>
+template <class Real, kernels::Features features>
 EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
                  const RunControl& control) {
     const auto start = std::chrono::steady_clock::now();
@@ -109,7 +109,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
         // A pixel's cycles are all that was counted since the pixel before, so they sum up to the
         // node's; the first pixel carries the start of the program.
         std::uint64_t cycles_before = 0;
-        kernels::pixel_program(
+        kernels::pixel_program<features>(
             node, share,
             [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
                 PixelRecord& record = result.frame.at(x, y);
@@ -138,13 +138,26 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     return result;
 }
 
+template <class Real>
+EngineResult run_what_is_needed(const CompiledScene& scene, const EngineChoice& choice,
+                                const RunControl& control) {
+    return needs_plain_features(scene) ? run<Real, kernels::plain_features>(scene, choice, control)
+                                       : run<Real, kernels::all_features>(scene, choice, control);
+}
+
 }  // namespace
 
 EngineResult run_on_machine(const CompiledScene& scene, const EngineChoice& choice,
                             const RunControl& control) {
-    if (choice.numeric == Numeric::twice) return run<double>(scene, choice, control);
-    if (choice.numeric == Numeric::dsp32) return run<dsp32::Float>(scene, choice, control);
-    return run<float>(scene, choice, control);
+    switch (choice.numeric) {
+        case Numeric::twice:
+            return run_what_is_needed<double>(scene, choice, control);
+        case Numeric::dsp32:
+            return run_what_is_needed<dsp32::Float>(scene, choice, control);
+        case Numeric::single:
+            break;
+    }
+    return run_what_is_needed<float>(scene, choice, control);
 }
 
 }  // namespace pxm::host

@@ -10,97 +10,160 @@ const std::string_view module_table_compiler = "g++ 12.2.0 x86-64";
 
 const std::vector<MeasuredModule> module_table{
     // name, program, read-only data, other data; bytes
-    {"box", 811, 36, 0},
-    {"camera", 268, 4, 0},
-    {"descend", 1055, 4, 0},
+    {"box", 844, 28, 0},
+    {"camera", 294, 0, 0},
+    {"cone", 1002, 28, 0},
+    {"covers", 4033, 12, 0},
+    {"cylinder", 842, 28, 0},
+    {"descend", 1244, 52, 0},
     {"flatness", 959, 24, 0},
     {"heap", 998, 0, 0},
-    {"illuminate", 352, 0, 0},
-    {"intersect", 678, 4, 0},
-    {"next_after", 1112, 4, 0},
+    {"hull", 758, 12, 0},
+    {"illuminate", 20, 0, 0},
+    {"intersect", 776, 0, 0},
+    {"mirror", 221, 16, 0},
+    {"next_after", 1244, 4, 0},
+    {"oriented", 1069, 32, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 904, 12, 0},
-    {"point_light", 51, 0, 0},
+    {"pixel_program", 130, 0, 0},
+    {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
-    {"shade", 1442, 4, 0},
+    {"shade", 1801, 68, 0},
+    {"shadow", 83, 0, 0},
+    {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
-    {"vectors", 1302, 20, 0},
+    {"trace", 1618, 12, 0},
+    {"trace_all", 2796, 20, 0},
+    {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {60, 3}},  // 0
+    {"box", "box_normal", 128, {112, 2, 4}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {60, 1}},  // 2
-    {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {57, 60, 41, 40}},  // 4
-    {"descend", "child_cell", 144, {58, 61, 16}},  // 5
-    {"descend", "cell_diameter", 32, {49}},  // 6
-    {"descend", "outermost_cell", 176, {58, 59, 61, 12}},  // 7
-    {"descend", "intersect_volume", 8, {2, 56}},  // 8
-    {"descend", "meet", 48, {8, 11}},  // 9
-    {"descend", "ending", 48, {6, 14}},  // 10
-    {"descend", "approach", 80, {60, 67}},  // 11
-    {"descend", "is_polar", 8, {}},  // 12
-    {"descend", "map_from", 8, {}},  // 13
-    {"descend", "pixel_at", 8, {}},  // 14
-    {"flatness", "undo_squash", 80, {57, 65, 69}},  // 15
-    {"flatness", "keep_thickness", 208, {59, 60, 15, 64, 65, 12, 14, 70}},  // 16
-    {"heap", "cell_words", 8, {}},  // 17
-    {"heap", "Heap::pop", 16, {21, 23, 25}},  // 18
-    {"heap", "Heap::keep", 8, {28}},  // 19
-    {"heap", "Heap::push", 80, {19, 22, 24, 27, 28}},  // 20
-    {"heap", "Heap::swap", 8, {}},  // 21
-    {"heap", "Heap::entry", 8, {}},  // 22
-    {"heap", "Heap::fetch", 8, {28}},  // 23
-    {"heap", "Heap::sift_up", 48, {21, 22, 27}},  // 24
-    {"heap", "Heap::sift_down", 80, {21, 22, 27}},  // 25
-    {"heap", "Heap::Heap", 8, {}},  // 26
-    {"heap", "before", 8, {}},  // 27
-    {"heap", "copy_cell", 32, {17}},  // 28
-    {"heap", "move_cell", 8, {28}},  // 29
-    {"illuminate", "illuminate", 128, {57, 60, 46, 65}},  // 30
-    {"intersect", "push_objects", 384, {7, 33, 20, 9}},  // 31
-    {"intersect", "push_children", 416, {5, 48, 33, 20, 9, 12}},  // 32
-    {"intersect", "Cell::Cell", 8, {}},  // 33
-    {"intersect", "intersect", 64, {35, 31, 32, 33, 18, 10}},  // 34
-    {"next_after", "next_after", 448, {7, 36, 23, 9, 27, 10, 37, 38, 13, 29, 39}},  // 35
-    {"next_after", "Cell::Cell", 8, {}},  // 36
-    {"next_after", "CellPath::make_again", 688, {5, 48, 36, 23, 9, 12, 13, 29, 39}},  // 37
-    {"next_after", "CellPath::down", 368, {5, 48, 36, 19, 9, 12, 29}},  // 38
-    {"next_after", "CellWord::get", 8, {}},  // 39
-    {"orthographic", "orthographic_ray", 32, {57, 60}},  // 40
-    {"perspective", "perspective_ray", 16, {70}},  // 41
-    {"pixel_program", "PixelStore::byte", 8, {}},  // 42
-    {"pixel_program", "render_pixel", 448, {57, 30, 50, 4, 34}},  // 43
-    {"pixel_program", "pixel_program", 896, {42, 43, 45, 26}},  // 44
-    {"pixel_program", "read_frame_constants", 16, {60}},  // 45
-    {"point_light", "direction_to_point_light", 80, {69, 70}},  // 46
-    {"polar", "jacobi_rotate", 8, {}},  // 47
-    {"polar", "complete_child", 144, {59, 68}},  // 48
-    {"polar", "largest_singular_value", 128, {47, 65, 66}},  // 49
-    {"shade", "surface_at", 928, {57, 5, 51, 52, 59, 60, 6, 48, 7, 8, 65, 54, 66, 68, 11, 12, 13, 29, 70}},  // 50
-    {"shade", "TotalNormal::add", 48, {57}},  // 51
-    {"shade", "cell_normal", 96, {53, 63, 70}},  // 52
-    {"shade", "volume_normal", 8, {0, 55}},  // 53
-    {"shade", "Cell::Cell", 8, {}},  // 54
-    {"sphere", "sphere_normal", 96, {57, 60, 69}},  // 55
-    {"sphere", "intersect_sphere", 112, {60, 65, 69}},  // 56
-    {"vectors", "add_scaled", 8, {}},  // 57
-    {"vectors", "read_affine", 96, {59, 60}},  // 58
-    {"vectors", "read_linear", 32, {60}},  // 59
-    {"vectors", "read_vector", 8, {}},  // 60
-    {"vectors", "transform_ray", 48, {62, 64}},  // 61
-    {"vectors", "transform_point", 8, {}},  // 62
-    {"vectors", "transform_normal", 64, {65}},  // 63
-    {"vectors", "transform_direction", 8, {}},  // 64
-    {"vectors", "dot", 8, {}},  // 65
-    {"vectors", "scale", 8, {}},  // 66
-    {"vectors", "rebase", 80, {57, 65, 69}},  // 67
-    {"vectors", "compose", 48, {64}},  // 68
-    {"vectors", "subtract", 8, {}},  // 69
-    {"vectors", "normalize", 64, {65, 66}},  // 70
+    {"box", "decisive_face", 8, {}},  // 2
+    {"box", "intersect_box", 112, {112, 1}},  // 3
+    {"box", "box_normal (part)", 8, {}},  // 4
+    {"camera", "eye_ray", 96, {109, 112, 78, 77}},  // 5
+    {"cone", "cone_normal", 128, {109, 112, 7, 117, 122}},  // 6
+    {"cone", "clip_to_mantle", 8, {}},  // 7
+    {"cone", "intersect_cone", 80, {112, 7, 122}},  // 8
+    {"covers", "next_after", 432, {16, 50, 33, 66, 67, 68, 36, 52, 21}},  // 9
+    {"covers", "covers_along", 768, {57, 9, 16, 52, 18, 22}},  // 10
+    {"covers", "covers_along", 768, {57, 9, 16, 52, 19, 23}},  // 11
+    {"covers", "MissedChildren::shown", 8, {}},  // 12
+    {"covers", "MissedChildren::missed", 80, {112, 29, 85, 117, 35, 122}},  // 13
+    {"covers", "shrunk_for_covers", 96, {109, 112, 118, 37, 122}},  // 14
+    {"covers", "push_children_and_cover", 480, {27, 12, 13, 85, 16, 43, 32, 35}},  // 15
+    {"covers", "Cell::Cell", 8, {}},  // 16
+    {"covers", "ending", 48, {28}},  // 17
+    {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 20, 22}},  // 18
+    {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 23}},  // 19
+    {"covers", "CollectCovers::operator", 32, {52}},  // 20
+    {"covers", "CoverRule::operator", 464, {27, 29, 12, 13, 16, 32, 37}},  // 21
+    {"covers", "CoverWalk::tell", 32, {50, 20}},  // 22
+    {"covers", "CoverWalk::tell", 32, {50}},  // 23
+    {"cylinder", "within_mantle", 8, {}},  // 24
+    {"cylinder", "cylinder_normal", 128, {109, 112, 24, 122}},  // 25
+    {"cylinder", "intersect_cylinder", 96, {112, 24, 122}},  // 26
+    {"descend", "child_cell", 144, {110, 113, 39}},  // 27
+    {"descend", "at_last_level", 8, {}},  // 28
+    {"descend", "cell_diameter", 32, {86}},  // 29
+    {"descend", "outermost_cell", 176, {110, 111, 113, 35}},  // 30
+    {"descend", "intersect_volume", 8, {3, 8, 55, 99, 26, 75}},  // 31
+    {"descend", "meet", 112, {28, 31, 14, 34}},  // 32
+    {"descend", "ending", 48, {28, 29, 37}},  // 33
+    {"descend", "approach", 80, {112, 119}},  // 34
+    {"descend", "is_polar", 8, {}},  // 35
+    {"descend", "map_from", 8, {}},  // 36
+    {"descend", "pixel_at", 8, {}},  // 37
+    {"flatness", "undo_squash", 80, {109, 117, 122}},  // 38
+    {"flatness", "keep_thickness", 208, {111, 112, 38, 116, 117, 35, 37, 123}},  // 39
+    {"heap", "cell_words", 8, {}},  // 40
+    {"heap", "Heap::pop", 16, {44, 46, 48}},  // 41
+    {"heap", "Heap::keep", 8, {51}},  // 42
+    {"heap", "Heap::push", 80, {42, 45, 47, 50, 51}},  // 43
+    {"heap", "Heap::swap", 8, {}},  // 44
+    {"heap", "Heap::entry", 8, {}},  // 45
+    {"heap", "Heap::fetch", 8, {51}},  // 46
+    {"heap", "Heap::sift_up", 48, {44, 45, 50}},  // 47
+    {"heap", "Heap::sift_down", 80, {44, 45, 50}},  // 48
+    {"heap", "Heap::Heap", 8, {}},  // 49
+    {"heap", "before", 8, {}},  // 50
+    {"heap", "copy_cell", 32, {40}},  // 51
+    {"heap", "move_cell", 8, {51}},  // 52
+    {"hull", "cross_plane", 80, {112, 117}},  // 53
+    {"hull", "hull_normal", 128, {53, 112, 122}},  // 54
+    {"hull", "intersect_hull", 112, {53, 112, 122}},  // 55
+    {"illuminate", "facing", 16, {117}},  // 56
+    {"intersect", "count_heap", 8, {}},  // 57
+    {"intersect", "push_objects", 384, {30, 60, 43, 32}},  // 58
+    {"intersect", "push_children", 416, {27, 85, 60, 43, 32, 35}},  // 59
+    {"intersect", "Cell::Cell", 8, {}},  // 60
+    {"intersect", "intersect", 112, {57, 63, 58, 59, 60, 41, 33}},  // 61
+    {"mirror", "mirrored", 112, {109, 117, 123}},  // 62
+    {"next_after", "next_after", 432, {64, 50, 33, 66, 67, 68, 36, 52}},  // 63
+    {"next_after", "Cell::Cell", 8, {}},  // 64
+    {"next_after", "CellPath::make_again", 688, {27, 85, 64, 46, 32, 35, 36, 52, 69}},  // 65
+    {"next_after", "CellPath::up", 48, {46, 65, 69}},  // 66
+    {"next_after", "CellPath::down", 368, {27, 85, 64, 42, 32, 35, 52}},  // 67
+    {"next_after", "CellPath::start", 32, {30, 32}},  // 68
+    {"next_after", "CellWord::get", 8, {}},  // 69
+    {"oriented", "along_axes", 64, {117}},  // 70
+    {"oriented", "clip_to_slab", 8, {}},  // 71
+    {"oriented", "decisive_face", 8, {}},  // 72
+    {"oriented", "oriented_normal", 128, {72, 74, 76}},  // 73
+    {"oriented", "to_oriented_box", 96, {70, 111, 112, 122}},  // 74
+    {"oriented", "intersect_oriented", 80, {71, 74}},  // 75
+    {"oriented", "oriented_normal (part)", 32, {112}},  // 76
+    {"orthographic", "orthographic_ray", 32, {109, 112}},  // 77
+    {"perspective", "perspective_ray", 16, {123}},  // 78
+    {"pixel_program", "read_frame_constants", 32, {112}},  // 79
+    {"point_light", "facing_point_light", 944, {27, 88, 111, 112, 85, 30, 31, 90, 81, 82, 92, 118, 56, 120, 34, 35, 36, 52, 83}},  // 80
+    {"point_light", "direction_to_point_light", 80, {122, 123}},  // 81
+    {"point_light", "Cell::Cell", 8, {}},  // 82
+    {"point_light", "AddPointLight::operator", 96, {29, 81, 56, 93, 121}},  // 83
+    {"polar", "jacobi_rotate", 8, {}},  // 84
+    {"polar", "complete_child", 144, {111, 120}},  // 85
+    {"polar", "largest_singular_value", 128, {84, 117, 118}},  // 86
+    {"shade", "surface_at", 112, {90, 92, 123, 94}},  // 87
+    {"shade", "cell_normal", 96, {89, 115, 123}},  // 88
+    {"shade", "volume_normal", 8, {0, 6, 54, 98, 25, 73}},  // 89
+    {"shade", "outermost_diameter", 352, {29, 30, 91}},  // 90
+    {"shade", "Cell::Cell", 8, {}},  // 91
+    {"shade", "blend", 112, {109, 112, 118}},  // 92
+    {"shade", "PathSum::add", 48, {109}},  // 93
+    {"shade", "walk_path", 896, {27, 88, 111, 112, 85, 30, 31, 91, 92, 120, 34, 35, 36, 52, 95}},  // 94
+    {"shade", "AddNormal::operator", 48, {29, 93}},  // 95
+    {"shadow", "search_to_light", 8, {}},  // 96
+    {"shadow_point", "search_from_light", 80, {117, 122, 123}},  // 97
+    {"sphere", "sphere_normal", 96, {109, 112, 122}},  // 98
+    {"sphere", "intersect_sphere", 112, {112, 117, 122}},  // 99
+    {"trace", "PixelStore::byte", 8, {}},  // 100
+    {"trace", "render_pixel", 736, {109, 87, 112, 80, 56, 5, 37, 121, 61, 52}},  // 101
+    {"trace", "pixel_program", 960, {100, 101, 79, 49}},  // 102
+    {"trace_all", "PixelStore::byte", 8, {}},  // 103
+    {"trace_all", "Tracer::shade (part)", 240, {109, 112, 11, 96, 97, 80, 56}},  // 104
+    {"trace_all", "render_pixel", 3472, {109, 107, 108, 5}},  // 105
+    {"trace_all", "pixel_program", 960, {103, 105, 79, 107, 49}},  // 106
+    {"trace_all", "Cell::Cell", 8, {}},  // 107
+    {"trace_all", "Tracer::look_through_covers", 656, {109, 104, 87, 10, 107, 62, 37, 121, 52}},  // 108
+    {"vectors", "add_scaled", 8, {}},  // 109
+    {"vectors", "read_affine", 96, {111, 112}},  // 110
+    {"vectors", "read_linear", 32, {112}},  // 111
+    {"vectors", "read_vector", 8, {}},  // 112
+    {"vectors", "transform_ray", 48, {114, 116}},  // 113
+    {"vectors", "transform_point", 8, {}},  // 114
+    {"vectors", "transform_normal", 64, {117}},  // 115
+    {"vectors", "transform_direction", 8, {}},  // 116
+    {"vectors", "dot", 8, {}},  // 117
+    {"vectors", "scale", 8, {}},  // 118
+    {"vectors", "rebase", 80, {109, 117, 122}},  // 119
+    {"vectors", "compose", 48, {116}},  // 120
+    {"vectors", "point_at", 8, {109}},  // 121
+    {"vectors", "subtract", 8, {}},  // 122
+    {"vectors", "normalize", 64, {117, 118}},  // 123
 };
 // clang-format on
 

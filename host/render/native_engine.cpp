@@ -40,7 +40,7 @@ long tiles_touched(long from, long to) {
     return (to + tile_side - 1) / tile_side - from / tile_side;
 }
 
-template <class Real>
+template <class Real, kernels::Features features>
 EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
                  const RunControl& control) {
     const auto start = std::chrono::steady_clock::now();
@@ -66,7 +66,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
 #pragma omp for schedule(dynamic, 4) nowait
             for (long tile = 0; tile < tiles; ++tile) {
                 if (stopped.load(std::memory_order_relaxed)) continue;
-                kernels::pixel_program(
+                kernels::pixel_program<features>(
                     node, tile_share(scene.crop, across, tile),
                     [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
                         PixelRecord& record = result.frame.at(x, y);
@@ -96,14 +96,27 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     return result;
 }
 
+template <class Real>
+EngineResult run_what_is_needed(const CompiledScene& scene, const EngineChoice& choice,
+                                const RunControl& control) {
+    return needs_plain_features(scene) ? run<Real, kernels::plain_features>(scene, choice, control)
+                                       : run<Real, kernels::all_features>(scene, choice, control);
+}
+
 }  // namespace
 
 EngineResult run_natively(const CompiledScene& scene, const EngineChoice& choice,
                           const RunControl& control) {
     if (choice.intersect == IntersectMethod::wide) return wide::run_wide(scene, choice, control);
-    if (choice.numeric == Numeric::twice) return run<double>(scene, choice, control);
-    if (choice.numeric == Numeric::dsp32) return run<dsp32::Float>(scene, choice, control);
-    return run<float>(scene, choice, control);
+    switch (choice.numeric) {
+        case Numeric::twice:
+            return run_what_is_needed<double>(scene, choice, control);
+        case Numeric::dsp32:
+            return run_what_is_needed<dsp32::Float>(scene, choice, control);
+        case Numeric::single:
+            break;
+    }
+    return run_what_is_needed<float>(scene, choice, control);
 }
 
 }  // namespace pxm::host

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "host/error.hpp"
 #include "host/render/compile.hpp"
@@ -133,11 +134,13 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
             "warning: {} of {} rays were given up after {} cells; their pixels show the nearest "
             "cell "
             "known by then\n",
-            run.rays.capped_rays, run.rays.eye_rays, prepared.compiled.cell_cap);
+            run.rays.capped_rays, run.rays.eye_rays + run.rays.light_rays + run.rays.reflect_rays,
+            prepared.compiled.cell_cap);
     }
     result.stopped = run.stopped;
-    result.pixel_at_eye = prepared.compiled.camera.pixel_at_eye * prepared.compiled.unit;
-    result.pixel_growth = prepared.compiled.camera.pixel_growth;
+    const double coarser = std::sqrt(static_cast<double>(prepared.compiled.samples.size()));
+    result.pixel_at_eye = prepared.compiled.camera.pixel_at_eye * prepared.compiled.unit * coarser;
+    result.pixel_growth = prepared.compiled.camera.pixel_growth * coarser;
     result.frame = std::move(run.frame);
     Statistics& statistics = result.statistics;
     statistics.scene = request.scene_path;

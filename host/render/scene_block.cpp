@@ -1,6 +1,7 @@
 #include "host/render/scene_block.hpp"
 
 #include <bit>
+#include <glm/geometric.hpp>
 
 #include "dsp_kernels/flatness.hpp"
 #include "host/fractal/lipschitz.hpp"
@@ -62,6 +63,8 @@ void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.real(Header::pixel_at_eye, scene.camera.pixel_at_eye);
     block.real(Header::pixel_growth, scene.camera.pixel_growth);
     block.real(Header::detail, scene.detail);
+    block.real(Header::fade, scene.fade);
+    block.integer(Header::bounces, static_cast<std::uint32_t>(scene.bounces));
     block.vector(Header::ambient, scene.ambient);
     block.vector(Header::background, scene.background);
 }
@@ -69,6 +72,53 @@ void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
 /// Bits that number `maps` maps, at least one.
 std::uint32_t symbol_bits(std::size_t maps) {
     return maps < 3 ? 1 : static_cast<std::uint32_t>(std::bit_width(maps - 1));
+}
+
+/// Writes what the volume of the follow set at `address` is; may add a record of its own.
+template <class Real>
+void write_volume(BlockWriter<Real>& block, std::uint32_t address, const CompiledVolume& volume) {
+    constexpr std::uint32_t R = real_words<Real>;
+    using FollowSet = kernels::FollowSetRecord<R>;
+    block.integer(address + FollowSet::volume, static_cast<std::uint32_t>(volume.kind));
+    block.vector(address + FollowSet::center, volume.center);
+    block.real(address + FollowSet::diameter, volume.diameter);
+    switch (volume.kind) {
+        case kernels::Volume::sphere:
+        case kernels::Volume::cone:
+        case kernels::Volume::cylinder:
+            block.real(address + FollowSet::radius, volume.radius);
+            return;
+        case kernels::Volume::box:
+            block.vector(address + FollowSet::low, volume.low);
+            block.vector(address + FollowSet::high, volume.high);
+            return;
+        case kernels::Volume::oriented: {
+            const std::uint32_t shape = block.grow(kernels::OrientedRecord<R>::words);
+            block.integer(address + FollowSet::shape, shape);
+            std::uint32_t axis = shape + kernels::OrientedRecord<R>::axes;
+            for (const glm::dvec3& half : volume.half) {
+                block.vector(axis, half / glm::dot(half, half));
+                axis += 3 * R;
+            }
+            return;
+        }
+        case kernels::Volume::hull: {
+            using HalfSpaceOf = kernels::HalfSpaceRecord<R>;
+            const std::size_t count = volume.half_spaces.size();
+            const std::uint32_t shape =
+                block.grow(kernels::HullRecord<R>::words + count * HalfSpaceOf::words);
+            block.integer(address + FollowSet::shape, shape);
+            block.integer(shape + kernels::HullRecord<R>::count, static_cast<std::uint32_t>(count));
+            std::uint32_t plane = shape + kernels::HullRecord<R>::half_spaces;
+            for (const HalfSpace& side : volume.half_spaces) {
+                block.vector(plane + HalfSpaceOf::normal, side.normal);
+                block.real(plane + HalfSpaceOf::offset,
+                           side.offset - glm::dot(side.normal, volume.center));
+                plane += HalfSpaceOf::words;
+            }
+            return;
+        }
+    }
 }
 
 /// Writes a shape's maps and follow sets; returns the address of its start set.
@@ -81,17 +131,8 @@ std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) 
     for (const CompiledSet& set : shape.sets) {
         const std::uint32_t address = block.grow(FollowSet::words + set.maps.size());
         sets.push_back(address);
-        const CompiledVolume& volume = set.volume;
-        block.integer(address + FollowSet::volume, static_cast<std::uint32_t>(volume.kind));
         block.integer(address + FollowSet::map_count, static_cast<std::uint32_t>(set.maps.size()));
-        block.vector(address + FollowSet::center, volume.center);
-        if (volume.kind == kernels::Volume::sphere) {
-            block.real(address + FollowSet::radius, volume.radius);
-        } else {
-            block.vector(address + FollowSet::low, volume.low);
-            block.vector(address + FollowSet::high, volume.high);
-        }
-        block.real(address + FollowSet::diameter, volume.diameter);
+        write_volume(block, address, set.volume);
         std::uint32_t entry = address + FollowSet::maps;
         for (const int map : set.maps) {
             block.integer(entry++, maps + static_cast<std::uint32_t>(map) * Map::words);
@@ -105,6 +146,7 @@ std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) 
         block.affine(address + Map::inverse, inverse(map.map));
         block.linear(address + Map::linear, map.map.linear);
         block.real(address + Map::constant, map.constant);
+        block.real(address + Map::least, map.least);
         std::uint32_t axes = 0;
         for (const glm::dvec3& axis : map.lost) {
             if (axes == kernels::most_lost_axes) break;
@@ -132,6 +174,8 @@ void write_object(BlockWriter<Real>& block, std::uint32_t address, const Compile
     block.real(address + Object::smallest_pixel, smallest_pixel_share<Real>() * object.diameter);
     block.vector(address + Object::color, object.color);
     block.real(address + Object::diffuse, object.diffuse);
+    block.real(address + Object::opacity, object.opacity);
+    block.real(address + Object::reflect, object.reflect);
 }
 
 template <class Real>
@@ -143,9 +187,25 @@ void write_lights(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.integer(Header::light_count, static_cast<std::uint32_t>(scene.lights.size()));
     for (const CompiledLight& light : scene.lights) {
         block.integer(address + Light::kind, static_cast<std::uint32_t>(light.kind));
+        block.integer(address + Light::shadow, light.shadow ? 1 : 0);
         block.vector(address + Light::place, light.place);
         block.vector(address + Light::color, light.color);
         address += Light::words;
+    }
+}
+
+template <class Real>
+void write_samples(BlockWriter<Real>& block, const CompiledScene& scene) {
+    using Header = kernels::HeaderRecord<real_words<Real>>;
+    const std::size_t count = scene.samples.size();
+    std::uint32_t address = block.grow(2 * real_words<Real> * count);
+    block.integer(Header::samples, address);
+    block.integer(Header::sample_count, static_cast<std::uint32_t>(count));
+    block.real(Header::sample_share, 1 / static_cast<double>(count));
+    for (const glm::dvec2& place : scene.samples) {
+        block.real(address, place.x);
+        block.real(address + real_words<Real>, place.y);
+        address += 2 * real_words<Real>;
     }
 }
 
@@ -174,6 +234,7 @@ std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
         object_address += Object::words;
     }
     write_lights(block, scene);
+    write_samples(block, scene);
     return block.take();
 }
 

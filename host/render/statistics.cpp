@@ -5,7 +5,10 @@
 namespace pxm::host {
 
 void RayStatistics::add(const RayStatistics& other) {
+    pixels += other.pixels;
     eye_rays += other.eye_rays;
+    light_rays += other.light_rays;
+    reflect_rays += other.reflect_rays;
     hits += other.hits;
     volumes_tested += other.volumes_tested;
     heap_pushes += other.heap_pushes;

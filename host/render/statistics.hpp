@@ -14,8 +14,11 @@ namespace pxm::host {
 
 /// Counts of a whole frame, or of one node.
 struct RayStatistics {
+    std::uint64_t pixels = 0;
     std::uint64_t eye_rays = 0;
-    std::uint64_t hits = 0;
+    std::uint64_t light_rays = 0;    // shadow rays
+    std::uint64_t reflect_rays = 0;  // mirror rays
+    std::uint64_t hits = 0;          // pixels whose first eye ray met something
     std::uint64_t volumes_tested = 0;
     std::uint64_t heap_pushes = 0;
     std::uint64_t heap_peak = 0;

@@ -6,49 +6,13 @@
 #include <numbers>
 #include <optional>
 
+#include "host/fractal/short_by.hpp"
+#include "host/render/bounding_volume.hpp"
+#include "host/render/computed_volume.hpp"
+
 namespace pxm::host {
 
 namespace {
-
-CompiledVolume sphere(const glm::dvec3& center, double radius) {
-    CompiledVolume volume;
-    volume.kind = kernels::Volume::sphere;
-    volume.center = center;
-    volume.radius = radius;
-    volume.low = center - radius;
-    volume.high = center + radius;
-    volume.diameter = 2 * radius;
-    return volume;
-}
-
-CompiledVolume box(const glm::dvec3& low, const glm::dvec3& high) {
-    CompiledVolume volume;
-    volume.kind = kernels::Volume::box;
-    volume.center = (low + high) / 2.0;
-    volume.low = low;
-    volume.high = high;
-    volume.diameter = glm::length(high - low);
-    return volume;
-}
-
-/// Whether a box has no thickness to speak of along an axis.
-bool flat_along(const Box& bounds, int axis) {
-    constexpr double flat = 1.0 / 1024;  // of the diagonal
-    return bounds.high[axis] - bounds.low[axis] < flat * glm::length(bounds.high - bounds.low);
-}
-
-/// A computed box. A flat attractor's box is given some thickness: where a ray crosses a box that
-/// has none, its interval is a point, and rounding would part it from its parent's.
-CompiledVolume computed_box(const Box& bounds) {
-    constexpr double thickness = 1.0 / 4;  // of the diagonal: a terminal cell's is p / 4
-    const glm::dvec3 size = bounds.high - bounds.low;
-    glm::dvec3 margin{0.0};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!flat_along(bounds, axis)) continue;
-        margin[axis] = (thickness * glm::length(size) - size[axis]) / 2;
-    }
-    return box(bounds.low - margin, bounds.high + margin);
-}
 
 /// The mean area of a volume's shadow: what a ray in a random direction has to hit (Cauchy: a
 /// quarter of the surface of a convex body).
@@ -58,64 +22,78 @@ double mean_shadow(const Box& volume) {
     return (e.x * e.y + e.y * e.z + e.z * e.x) / 2;
 }
 
-VolumeKind computed_kind(VolumeKind kind, const Bounds& outermost) {
-    if (kind == VolumeKind::sphere || kind == VolumeKind::box) return kind;
-    // Spheres stay a pixel thick down to the last cell: curves and sheets edge on are not missed.
-    for (int axis = 0; axis < 3; ++axis) {
-        if (flat_along(outermost.box, axis)) return VolumeKind::sphere;
+kernels::Volume computed_kind(VolumeKind kind, const Bounds& outermost) {
+    switch (kind) {
+        case VolumeKind::sphere:
+            return kernels::Volume::sphere;
+        case VolumeKind::box:
+            return kernels::Volume::box;
+        case VolumeKind::oriented:
+            return kernels::Volume::oriented;
+        case VolumeKind::hull:
+            return kernels::Volume::hull;
+        case VolumeKind::automatic:
+            break;
     }
-    return mean_shadow(outermost.ball) <= mean_shadow(outermost.box) ? VolumeKind::sphere
-                                                                     : VolumeKind::box;
+    // Spheres stay a pixel thick down to the last cell: curves and sheets edge on are not missed.
+    if (is_flat(outermost.box)) return kernels::Volume::sphere;
+    return mean_shadow(outermost.ball) <= mean_shadow(outermost.box) ? kernels::Volume::sphere
+                                                                     : kernels::Volume::box;
+}
+
+const char* name_of(const DeclaredVolume& volume) {
+    constexpr std::array names{"volume", "sphere", "box", "cone", "cylinder", "hull"};
+    return names[volume.index()];
 }
 
 /// The declared volume if it can be used; else nothing, with a warning that says why.
 std::optional<CompiledVolume> declared_volume(const ObjectBlock& object, const Rifs& rifs,
                                               const std::vector<Bounds>& bounds,
                                               Diagnostics& diagnostics) {
-    const auto replaced = [&](const char* what, double by) {
-        diagnostics.warning(
-            object.volume_position,
-            fmt::format("the {} of object \"{}\" does not contain the attractor (short by {:.3g}): "
-                        "a computed volume is used instead",
-                        what, object.name, by));
-    };
-    if (const auto* ball = std::get_if<SphereVolume>(&*object.volume)) {
-        const double by = short_by(rifs, bounds, rifs.start, *ball);
-        if (by <= 0) return sphere(ball->center, ball->radius);
-        replaced("sphere", by);
-    } else if (const auto* corners = std::get_if<BoxVolume>(&*object.volume)) {
-        const double by = short_by(rifs, bounds, rifs.start, *corners);
-        if (by <= 0) return box(corners->low, corners->high);
-        replaced("box", by);
-    } else if (!std::holds_alternative<AutoVolume>(*object.volume)) {
-        const bool cone = std::holds_alternative<ConeVolume>(*object.volume);
-        diagnostics.warning(object.volume_position,
-                            fmt::format("{} volumes are not supported yet: a computed volume is "
-                                        "used for object \"{}\" instead",
-                                        cone ? "cone" : "cylinder", object.name));
-    }
+    const DeclaredVolume& declared = *object.volume;
+    const double by = short_by(rifs, bounds, rifs.start, declared);
+    if (by <= 0) return primitive_volume(declared);
+    diagnostics.warning(
+        object.volume_position,
+        fmt::format("the {} of object \"{}\" does not contain the attractor (short by {:.3g}): "
+                    "a computed volume is used instead",
+                    name_of(declared), object.name, by));
     return std::nullopt;
 }
 
 }  // namespace
 
+CompiledVolume primitive_volume(const DeclaredVolume& declared) {
+    if (const auto* ball = std::get_if<SphereVolume>(&declared)) {
+        return sphere_volume(ball->center, ball->radius);
+    }
+    if (const auto* corners = std::get_if<BoxVolume>(&declared)) {
+        return box_volume(corners->low, corners->high);
+    }
+    return std::holds_alternative<ConeVolume>(declared) ? cone_volume() : cylinder_volume();
+}
+
 std::vector<CompiledVolume> choose_volumes(const ObjectBlock& object, VolumeKind kind,
                                            const Rifs& rifs, const std::vector<Bounds>& bounds,
                                            Diagnostics& diagnostics) {
+    const auto start = static_cast<std::size_t>(rifs.start);
+    kernels::Volume chosen = computed_kind(kind, bounds[start]);
     std::optional<CompiledVolume> declared;
     if (object.volume && kind == VolumeKind::automatic) {
-        declared = declared_volume(object, rifs, bounds, diagnostics);
+        if (std::holds_alternative<HullVolume>(*object.volume)) {
+            chosen = kernels::Volume::hull;
+        } else if (!std::holds_alternative<AutoVolume>(*object.volume)) {
+            declared = declared_volume(object, rifs, bounds, diagnostics);
+        }
     }
-    VolumeKind chosen = computed_kind(kind, bounds[static_cast<std::size_t>(rifs.start)]);
-    if (declared) {
-        chosen = declared->kind == kernels::Volume::sphere ? VolumeKind::sphere : VolumeKind::box;
-    }
+    const bool as_declared = declared && (declared->kind == kernels::Volume::sphere ||
+                                          declared->kind == kernels::Volume::box);
+    if (as_declared) chosen = declared->kind;  // inside it too
+    VolumeComputer computer(rifs, bounds);
     std::vector<CompiledVolume> volumes;
-    for (const Bounds& b : bounds) {
-        volumes.push_back(chosen == VolumeKind::sphere ? sphere(b.ball.center, b.ball.radius)
-                                                       : computed_box(b.box));
+    for (std::size_t set = 0; set < bounds.size(); ++set) {
+        volumes.push_back(declared && set == start ? *declared : computer.make(chosen, set));
     }
-    if (declared) volumes[static_cast<std::size_t>(rifs.start)] = *declared;
     return volumes;
 }
 

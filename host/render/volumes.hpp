@@ -1,4 +1,4 @@
-// Which bounding volume each follow set of an object gets: declared, or computed, sphere or box.
+// Which bounding volume each follow set of an object gets: declared or computed, and of which kind.
 #pragma once
 
 #include <vector>
@@ -19,5 +19,9 @@ namespace pxm::host {
                                                          const Rifs& rifs,
                                                          const std::vector<Bounds>& bounds,
                                                          Diagnostics& diagnostics);
+
+/// The volume of an object without an ifs, exactly as declared. Precondition: neither auto nor
+/// hull.
+[[nodiscard]] CompiledVolume primitive_volume(const DeclaredVolume& declared);
 
 }  // namespace pxm::host

@@ -60,7 +60,7 @@ bool lies_within(const CompiledVolume& inner, const CompiledVolume& outer, const
 }
 
 bool same_shape(const CompiledVolume& a, const CompiledVolume& b) {
-    if (a.kind != b.kind) return false;
+    if (a.kind != b.kind || a.kind == kernels::Volume::oriented) return false;
     if (a.kind == kernels::Volume::sphere) return true;
     const glm::dvec3 p = (a.high - a.low) / a.diameter;
     const glm::dvec3 q = (b.high - b.low) / b.diameter;

@@ -345,7 +345,6 @@ inline bool shade(const WideScene& scene, Workspace& work, int ray, Shaded& shad
                                         : path_of(scene, work, found.start);
     if (path == nullptr) return false;
     const WideObject& object = scene.objects[static_cast<std::size_t>(path->object)];
-    if (!object.one_kind) return false;
     std::uint32_t hash = 0;
     std::array<float, 3> color;
     const int levels = add_own_levels(scene, work, found, *path, hash, color);

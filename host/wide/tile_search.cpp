@@ -119,59 +119,5 @@ bool shade_hit(const WideScene& scene, Workspace& work, int ray, Shaded& shaded)
     return HWY_DYNAMIC_DISPATCH(shade)(scene, work, ray, shaded);
 }
 
-namespace {
-
-/// The symbols of a cell of homotheties.
-void fixed_word(const WideScene& scene, const Workspace& work, const Found& found,
-                std::vector<int>& word) {
-    const auto set_of = [&](int index) -> const WideSet& {
-        return scene.sets[static_cast<std::size_t>(index)];
-    };
-    for (int at = found.start;;) {
-        const FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(at)];
-        if (cell.parent < 0) break;
-        const FixedCell& parent = work.fixed_cells[static_cast<std::size_t>(cell.parent)];
-        word.push_back(set_of(parent.set).maps[static_cast<std::size_t>(cell.lane)]);
-        at = cell.parent;
-    }
-    std::ranges::reverse(word);
-    int set = work.fixed_cells[static_cast<std::size_t>(found.start)].set;
-    for (int k = 0; k < found.below_count; ++k) {
-        const std::size_t lane = found.below[static_cast<std::size_t>(k)];
-        word.push_back(set_of(set).maps[lane]);
-        set = set_of(set).sets[lane];
-    }
-}
-
-}  // namespace
-
-int object_of(const Workspace& work, const Found& found) {
-    const auto start = static_cast<std::size_t>(found.start);
-    return found.below_count >= 0 ? work.fixed_cells[start].object : work.cells[start].object;
-}
-
-void word_of(const WideScene& scene, const Workspace& work, const Found& found,
-             std::vector<int>& word) {
-    word.clear();
-    if (found.below_count >= 0) {
-        fixed_word(scene, work, found, word);
-        return;
-    }
-    int lane = found.lane;
-    for (int index = found.block; index >= 0;) {
-        const Block& block = work.blocks[static_cast<std::size_t>(index)];
-        const WideSet& set = scene.sets[static_cast<std::size_t>(block.set)];
-        word.push_back(set.maps[static_cast<std::size_t>(lane)]);
-        lane = block.lane;
-        index = block.parent;
-    }
-    for (int index = found.start; index >= 0;) {
-        const SharedCell& cell = work.cells[static_cast<std::size_t>(index)];
-        if (cell.parent >= 0) word.push_back(cell.symbol);
-        index = cell.parent;
-    }
-    std::ranges::reverse(word);
-}
-
 }  // namespace pxm::host::wide
 #endif

@@ -158,8 +158,8 @@ struct StartRays {
 /// The cells on the way from an object to a hit: one in each lane, the start cell and what is
 /// outside it first, the same for all rays that hit below it.
 struct Path {
-    static constexpr int capacity = 64;  // levels; deeper hits are shaded by the clear kernels
-    static constexpr int map = 0;        // 12: U, V, W, o
+    static constexpr int capacity = 128;  // levels; deeper hits are left to the clear kernels
+    static constexpr int map = 0;         // 12: U, V, W, o
     static constexpr int base = 12;
     static constexpr int from_start = 13;  // base less the start cell's
     static constexpr int diameter = 14;
@@ -220,12 +220,5 @@ void search_tile(const WideScene& scene, Workspace& work);
 /// Shades what a ray of the tile has found. False if the walk along the path does not confirm it in
 /// float: the clear kernels are to judge.
 [[nodiscard]] bool shade_hit(const WideScene& scene, Workspace& work, int ray, Shaded& shaded);
-
-/// The object whose cell was found.
-[[nodiscard]] int object_of(const Workspace& work, const Found& found);
-
-/// The symbols of a found cell, outermost first.
-void word_of(const WideScene& scene, const Workspace& work, const Found& found,
-             std::vector<int>& word);
 
 }  // namespace pxm::host::wide

@@ -8,7 +8,6 @@
 #include <exception>
 
 #include "host/render/gather.hpp"
-#include "host/wide/definition.hpp"
 #include "host/wide/tile_search.hpp"
 #include "pxm/frame_buffer.hpp"
 
@@ -48,7 +47,6 @@ class TileRenderer {
         }
     }
     RayStatistics rays;
-    std::uint64_t again = 0;
 
   private:
     /// Shades what a ray found, or lets the clear kernels find it.
@@ -57,13 +55,8 @@ class TileRenderer {
         const auto y = static_cast<std::uint32_t>(top + ray / tile_side);
         const Found& found = work_.found[static_cast<std::size_t>(ray)];
         if (!found.given_up && store(found, ray, frame_.at(x, y))) return;
-        ++again;
-        result_.counts = {};
-        constants_.search.ray = kernels::eye_ray(node_, x, y);
-        if (found.given_up || !shade(found)) {
-            kernels::render_pixel(node_, constants_, heap_, x, y, result_);
-        }
-        result_.counts.volumes_tested += scene_.objects.size() + found.tested;
+        kernels::render_pixel<kernels::plain_features>(node_, constants_, heap_, x, y, result_);
+        result_.counts.volumes_tested += found.tested;
         gather_pixel(scene_, block_, result_, frame_.at(x, y), rays);
         frame_.at(x, y).node = static_cast<std::uint32_t>(ray);
     }
@@ -86,31 +79,11 @@ class TileRenderer {
         }
         pixel.volumes = tested;
         pixel.node = static_cast<std::uint32_t>(ray);
+        ++rays.pixels;
         ++rays.eye_rays;
         rays.volumes_tested += tested;
         return true;
     }
-    bool shade(const Found& found) {
-        word_of(wide_, work_, found, word_);
-        const int object = object_of(work_, found);
-        const auto cell = walk(node_, constants_.search, object_address(object), word_);
-        if (!cell) return false;
-        result_.found.outcome = kernels::Outcome::hit;
-        kernels::copy_cell(result_.found.cell, *cell);
-        const auto surface =
-            kernels::surface_at(node_, constants_.search, *cell, constants_.shading);
-        const auto& ray = constants_.search.ray;
-        const auto point = kernels::add_scaled(node_, ray.origin, cell->key, ray.direction);
-        result_.normal = surface.normal;
-        result_.color = kernels::illuminate(node_, surface, point);
-        return true;
-    }
-    std::uint32_t object_address(int object) {
-        using Header = kernels::HeaderRecord<real_words<double>>;
-        using Object = kernels::ObjectRecord<real_words<double>>;
-        return block_[Header::objects] + static_cast<std::uint32_t>(object) * Object::words;
-    }
-
     const CompiledScene& scene_;
     const WideScene& wide_;
     const std::vector<std::uint32_t>& block_;
@@ -120,7 +93,6 @@ class TileRenderer {
     kernels::FrameConstants<double> constants_;
     kernels::PixelResult<double> result_;
     Workspace work_;
-    std::vector<int> word_;
 };
 
 }  // namespace
@@ -144,7 +116,6 @@ EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
     std::atomic<long> done = 0;
     std::atomic<bool> stopped = false;
     std::exception_ptr failure;
-    std::uint64_t again = 0;
 #pragma omp parallel num_threads(choice.threads)
     {
         try {
@@ -161,10 +132,7 @@ EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
                 }
             }
 #pragma omp critical(pxm_wide_sum)
-            {
-                result.rays.add(renderer.rays);
-                again += renderer.again;
-            }
+            { result.rays.add(renderer.rays); }
         } catch (...) {
 #pragma omp critical(pxm_wide_failure)
             failure = std::current_exception();

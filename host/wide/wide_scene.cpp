@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "host/fractal/lipschitz.hpp"
 #include "host/render/scene_block.hpp"
@@ -16,25 +17,23 @@ namespace {
 
 constexpr double thinnest = 1e-7;  // half width of a box, of its diameter
 
-/// The half widths of a volume: unit coordinates are (x - center) / half.
-glm::dvec3 half_of(const CompiledVolume& volume) {
-    if (volume.kind == kernels::Volume::sphere) return glm::dvec3{volume.radius};
-    return glm::max((volume.high - volume.low) / 2.0, thinnest * volume.diameter);
+/// From the unit coordinates of a volume, in which it is the unit ball or the cube [-1,1]^3.
+Affine from_unit(const CompiledVolume& volume) {
+    const double least = thinnest * volume.diameter;
+    const glm::dvec3 half = glm::max((volume.high - volume.low) / 2.0, least);
+    switch (volume.kind) {
+        case kernels::Volume::sphere:
+            return {glm::dmat3{volume.radius}, volume.center};
+        case kernels::Volume::oriented:
+            return {glm::dmat3{volume.half[0], volume.half[1], volume.half[2]}, volume.center};
+        default:
+            return {glm::dmat3{half.x, 0, 0, 0, half.y, 0, 0, 0, half.z}, volume.center};
+    }
 }
 
 /// First `map`, then into the unit coordinates of `volume`.
 Affine into_unit(const Affine& map, const CompiledVolume& volume) {
-    const glm::dvec3 half = half_of(volume);
-    Affine result = map;
-    for (int i = 0; i < 3; ++i) result.linear[i] /= half;
-    result.translation = (map.translation - volume.center) / half;
-    return result;
-}
-
-/// From the unit coordinates of a volume.
-Affine from_unit(const CompiledVolume& volume) {
-    const glm::dvec3 half = half_of(volume);
-    return {glm::dmat3{half.x, 0, 0, 0, half.y, 0, 0, 0, half.z}, volume.center};
+    return then(map, inverse(from_unit(volume)));
 }
 
 template <class T>
@@ -79,15 +78,28 @@ std::array<float, 3> floats(const glm::dvec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-bool mixed_volumes(const CompiledShape& shape) {
-    return std::ranges::any_of(shape.sets, [&](const CompiledSet& set) {
-        const auto kind = [&](int symbol) {
-            const CompiledMap& map = shape.maps[static_cast<std::size_t>(symbol)];
-            return shape.sets[static_cast<std::size_t>(map.follow_set)].volume.kind;
-        };
-        return std::ranges::any_of(set.maps,
-                                   [&](int symbol) { return kind(symbol) != kind(set.maps[0]); });
-    });
+/// Whether a volume is a ball or a box, in whatever axes, that is not flat.
+bool is_ball_or_box(const CompiledVolume& volume) {
+    if (volume.kind == kernels::Volume::oriented) {
+        return std::ranges::all_of(volume.half, [&](const glm::dvec3& half) {
+            return glm::length(half) > thinnest * volume.diameter;
+        });
+    }
+    return volume.kind == kernels::Volume::sphere || volume.kind == kernels::Volume::box;
+}
+
+bool has_balls(const CompiledSet& set) { return set.volume.kind == kernels::Volume::sphere; }
+
+/// What of an object the wide engine cannot do, if anything.
+std::string why_not(const CompiledShape& shape) {
+    if (shape.lifted) return "has singular maps, which were lifted";
+    if (!std::ranges::all_of(shape.sets, is_ball_or_box, &CompiledSet::volume)) {
+        return "has bounding volumes that are neither balls nor boxes";
+    }
+    const auto balls = std::ranges::count_if(shape.sets, has_balls);
+    if (balls != 0 && balls != std::ssize(shape.sets)) return "has balls and boxes side by side";
+    if (shape.maps.size() > most_maps) return fmt::format("has more than {} maps", most_maps);
+    return "";
 }
 
 }  // namespace
@@ -95,17 +107,14 @@ bool mixed_volumes(const CompiledShape& shape) {
 std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
     if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
+    if (needs_covers(scene)) return "local covers and translucent objects are the clear kernels'";
+    if (needs_shadows(scene)) return "shadows are the clear kernels'";
+    if (needs_mirrors(scene)) return "mirrors are the clear kernels'";
+    if (scene.samples.size() > 1) return "several samples a pixel are the clear kernels'";
     for (const CompiledObject& object : scene.objects) {
         const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
-        if (shape.lifted) {
-            return fmt::format("object \"{}\" has singular maps, which were lifted", object.name);
-        }
-        if (mixed_volumes(shape)) {
-            return fmt::format("object \"{}\" has balls and boxes side by side", object.name);
-        }
-        if (shape.maps.size() > most_maps) {
-            return fmt::format("object \"{}\" has more than {} maps", object.name, most_maps);
-        }
+        const std::string reason = why_not(shape);
+        if (!reason.empty()) return fmt::format("object \"{}\" {}", object.name, reason);
     }
     return "";
 }
@@ -140,14 +149,12 @@ WideScene make_wide_scene(const CompiledScene& scene) {
         result.diameter = volume.diameter;
         result.smallest_pixel = smallest_pixel_share<double>() * object.diameter;
         result.levels = object.levels;
-        result.one_kind = std::ranges::all_of(
-            shape.sets, [&](const CompiledSet& set) { return set.volume.kind == volume.kind; });
         result.colored =
             std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
         result.color = floats(object.color);
         result.diffuse = static_cast<float>(object.diffuse);
         result.center = object.instance.point(volume.center);
-        result.radius = lipschitz_constant(object.instance) * half_of(volume).x;
+        result.radius = lipschitz_constant(object.instance) * volume.radius;
         result.fixed_direction = has_fixed_direction(scene, object);
         wide.objects.push_back(result);
     }

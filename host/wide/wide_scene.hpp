@@ -94,7 +94,6 @@ struct WideObject {
     double diameter = 0;  // of the outermost volume, in the shape's coordinates
     double smallest_pixel = 0;
     std::uint32_t levels = 0;
-    bool one_kind = true;  // all volumes are balls, or all are boxes
     bool colored = false;  // a map has a colour
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.

@@ -113,14 +113,7 @@ TEST_F(BadScene, what_cannot_be_rendered_yet_is_code_3) {
     };
     unsupported("plane p { point: 0,0,0 normal: 0,1,0 }");
     unsupported("texture t { wood }");
-    unsupported("light l { direction: 0,1,0 shadow: on }");
-    unsupported("object o { ifs: tetra reflect: 0.5 }");
-    unsupported("object o { ifs: tetra opacity: 0.5 }");
-    unsupported("object o { sphere: (0,0,0) 1 }");
-    unsupported("render { covers: on }");
-    unsupported("render { samples: 4 }");
     unsupported("render { intersect: fast }");
-    unsupported("render { volume: hull }");
 }
 
 TEST_F(BadScene, several_errors_are_told_in_one_run) {

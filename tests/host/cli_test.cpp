@@ -108,11 +108,9 @@ TEST_F(CommandLine, a_window_or_pixel_outside_the_image_is_code_2) {
 }
 
 TEST_F(CommandLine, what_cannot_be_rendered_yet_is_code_2) {
-    refuse({"--covers", "on"}, "--covers: not supported yet");
-    refuse({"--samples", "4"}, "--samples above 1: not supported yet");
     refuse({"--intersect", "wide", "--numeric", "double"},
            "--intersect wide: the numbers are double, and the wide engine's are float");
-    refuse({"--volume", "hull"}, "--volume hull: not supported yet");
+    refuse({"--intersect", "fast"}, "--intersect fast: not supported yet");
 }
 
 TEST_F(CommandLine, an_output_that_is_no_picture_format_is_code_2) {

@@ -234,13 +234,15 @@ std::vector<Oracle::PathNormal> Oracle::normals_on_path(const Sight& ray,
             return glm::normalize(vector(row(normal) * cell.back.transpose()));
         };
         if (crossing && crossing->entry > 0) {  // a cell around the eye gives no normal
-            normals.push_back({level, to_world(crossing->entry_normal), cell.diameter});
+            normals.push_back(
+                {level, to_world(crossing->entry_normal), cell.diameter, crossing->entry});
         }
         if (level == seen.word.size()) {
             const bool facet = scene_.shading == kernels::ShadingMode::facet;
             if (facet && !normals.empty() && normals.back().level != level) normals.clear();
             if (crossing && normals.empty()) {
-                normals.push_back({level, to_world(crossing->exit_normal), cell.diameter});
+                normals.push_back(
+                    {level, to_world(crossing->exit_normal), cell.diameter, crossing->exit});
             }
             if (facet && !normals.empty()) return {normals.back()};
             return normals;
@@ -249,24 +251,42 @@ std::vector<Oracle::PathNormal> Oracle::normals_on_path(const Sight& ray,
     }
 }
 
-glm::dvec3 Oracle::total_normal(const Sight& ray, const TerminalCell& seen) const {
+double Oracle::weight(const TerminalCell& seen, double diameter) const {
     const double outermost_diameter = cells_[static_cast<std::size_t>(seen.object)].diameter;
-    const auto weight = [&](double diameter) {
-        if (scene_.shading == kernels::ShadingMode::low_pass) return diameter;  // Eq. 17.5
-        if (scene_.shading == kernels::ShadingMode::high_pass) {
-            return outermost_diameter - diameter;  // Eq. 17.6
-        }
-        return 1.0;  // Eq. 17.4
-    };
+    if (scene_.shading == kernels::ShadingMode::low_pass) return diameter;  // Eq. 17.5
+    if (scene_.shading == kernels::ShadingMode::high_pass) {
+        return outermost_diameter - diameter;  // Eq. 17.6
+    }
+    return 1.0;  // Eq. 17.4
+}
+
+glm::dvec3 Oracle::total_normal(const TerminalCell& seen,
+                                const std::vector<PathNormal>& path) const {
     glm::dvec3 weighted{0.0};
     glm::dvec3 unweighted{0.0};
     double weights = 0;
-    for (const PathNormal& one : normals_on_path(ray, seen)) {
-        weighted += weight(one.diameter) * one.normal;
+    for (const PathNormal& one : path) {
+        weighted += weight(seen, one.diameter) * one.normal;
         unweighted += one.normal;
-        weights += weight(one.diameter);
+        weights += weight(seen, one.diameter);
     }
     return glm::normalize(weights > 0 ? weighted : unweighted);  // Erratum 18
+}
+
+double Oracle::facing_point_light(const Sight& ray, const TerminalCell& seen,
+                                  const std::vector<PathNormal>& path,
+                                  const glm::dvec3& place) const {
+    double weighted = 0;
+    double unweighted = 0;
+    double weights = 0;
+    for (const PathNormal& one : path) {  // Eq. 17.3 in full
+        const glm::dvec3 toward = glm::normalize(place - (ray.origin + one.t * ray.direction));
+        const double cosine = std::max(0.0, glm::dot(one.normal, toward));
+        weighted += weight(seen, one.diameter) * cosine;
+        unweighted += cosine;
+        weights += weight(seen, one.diameter);
+    }
+    return weights > 0 ? weighted / weights : unweighted / static_cast<double>(path.size());
 }
 
 glm::dvec3 Oracle::surface_color(const TerminalCell& seen) const {
@@ -280,15 +300,15 @@ glm::dvec3 Oracle::surface_color(const TerminalCell& seen) const {
 
 Appearance Oracle::appearance(const Sight& ray, const TerminalCell& seen) const {
     const double diffuse = scene_.objects[static_cast<std::size_t>(seen.object)].diffuse;
-    const glm::dvec3 point = ray.origin + seen.key * ray.direction;
+    const std::vector<PathNormal> path = normals_on_path(ray, seen);
     Appearance result;
-    result.normal = total_normal(ray, seen);
+    result.normal = total_normal(seen, path);
     glm::dvec3 light_sum = scene_.ambient;
     for (const CompiledLight& light : scene_.lights) {
-        const glm::dvec3 toward = light.kind == kernels::LightKind::directional
-                                      ? light.place
-                                      : glm::normalize(light.place - point);  // Eq. 17.2
-        light_sum += diffuse * std::max(0.0, glm::dot(result.normal, toward)) * light.color;
+        const double cosine = light.kind == kernels::LightKind::directional
+                                  ? std::max(0.0, glm::dot(result.normal, light.place))
+                                  : facing_point_light(ray, seen, path, light.place);
+        light_sum += diffuse * cosine * light.color;
     }
     result.color = light_sum * surface_color(seen);  // Eq. 17.1
     return result;

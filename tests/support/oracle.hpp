@@ -67,11 +67,18 @@ class Oracle {
         std::size_t level;
         glm::dvec3 normal;
         double diameter;
+        double t;  // where the ray meets the volume
     };
 
     [[nodiscard]] std::vector<PathNormal> normals_on_path(const Sight& ray,
                                                           const TerminalCell& seen) const;
-    [[nodiscard]] glm::dvec3 total_normal(const Sight& ray, const TerminalCell& seen) const;
+    /// The weight of a cell of that diameter on the path (Eqs. 17.4 to 17.6).
+    [[nodiscard]] double weight(const TerminalCell& seen, double diameter) const;
+    [[nodiscard]] glm::dvec3 total_normal(const TerminalCell& seen,
+                                          const std::vector<PathNormal>& path) const;
+    [[nodiscard]] double facing_point_light(const Sight& ray, const TerminalCell& seen,
+                                            const std::vector<PathNormal>& path,
+                                            const glm::dvec3& place) const;
     [[nodiscard]] glm::dvec3 surface_color(const TerminalCell& seen) const;
     [[nodiscard]] const host::CompiledShape& shape_of(int object) const;
     [[nodiscard]] Cell make_cell(int object, const host::Affine& place, double product,

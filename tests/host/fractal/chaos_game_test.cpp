@@ -101,6 +101,21 @@ TEST(ChaosGame, start_maps_alone_are_outermost) {
     for (int i = 0; i < 100; ++i) EXPECT_NEAR(game.next().place.x, only, 1e-9);
 }
 
+TEST(ChaosGame, what_the_walk_rarely_comes_to_has_points_of_the_attractor_too) {
+    // Map 2 is drawn once in 10^6; what stands inside it, about (5,5,5), is far from the origin.
+    const System system = system_of(
+        "ifs rare { newmap scale: 0.5 newmap scale: 0.5 newmap scale: 0.1 translate: 4.5,4.5,4.5"
+        " follow: 1 -> 1, 2 follow: 2 -> 3 follow: 3 -> 3 start: 1 }");
+    ChaosGame game = game_of(system, {1, 1e-3, 1e-3});
+    for (int i = 0; i < 20000; ++i) {
+        const glm::dvec3 x = game.next().place;
+        if (x.x < 1e-9) continue;  // 1 nearly for ever
+        // Else map 1 some times, then 2, then 3 for ever: 5 / 2^k.
+        const double k = std::log2(5 / x.x);
+        ASSERT_NEAR(k, std::round(k), 1e-6) << x.x;
+    }
+}
+
 TEST(ChaosGame, maps_come_as_often_as_their_weights_say) {
     ChaosGame game = game_of(system_of(gasket), {1, 2, 5});
     std::map<int, int> count;

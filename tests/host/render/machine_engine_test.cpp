@@ -177,7 +177,7 @@ TEST(MachineEngine, a_scene_too_large_for_the_back_buffer_is_a_fault) {
         many += "object o" + std::to_string(i) + " { ifs: tetra }\n";
     }
     EXPECT_EQ(fault_of(many, on_machine("964dX", 16, 16)),
-              "5: the back buffer of node 0 of the 964dX is too small: 264832 bytes wanted, "
+              "5: the back buffer of node 0 of the 964dX is too small: 272852 bytes wanted, "
               "262144 there");
 }
 

@@ -48,6 +48,36 @@ TEST_P(Wide, is_the_same_on_every_kind_of_register_and_for_any_number_of_threads
     }
 }
 
+/// The eye comes as near as 10^-7 of its distance: single precision alone would see nothing there.
+TEST(WideZoom, is_right_to_the_last_pixel) {
+    const std::string camera = "camera { eye: 0.4,1.6,-3 look: 0,1,0 fov: 40 }";
+    for (const char* system : {"tetra", "menger", "elm"}) {
+        for (const double zoom : {1e2, 1e4, 1e7}) {
+            const CompiledScene scene =
+                compile_text(scene_of(system, "", "size: 16,16") + camera, zoom);
+            const Verdict verdict = judge(scene, render_wide(scene), Numeric::twice);
+            EXPECT_EQ(verdict.admissible, verdict.pixels) << system << zoom << verdict.report;
+            EXPECT_EQ(verdict.wrong_colors, 0) << system << zoom << verdict.report;
+        }
+    }
+}
+
+TEST(WideChoice, says_why_not) {
+    const auto reason = [](const std::string& text, Numeric numeric = Numeric::single) {
+        return wide::why_not_wide(compile_text(text), numeric);
+    };
+    EXPECT_EQ(reason(scene_of("tetra")), "");
+    EXPECT_EQ(reason(scene_of("elm")), "");
+    EXPECT_EQ(reason(scene_of("tetra"), Numeric::twice),
+              "the numbers are double, and the wide engine's are float");
+    EXPECT_EQ(reason(scene_of("tetra", "samples: 4")),
+              "several samples a pixel are the clear kernels'");
+    EXPECT_EQ(reason(scene_of("tetra", "covers: on")),
+              "local covers and translucent objects are the clear kernels'");
+    EXPECT_EQ(reason(scene_of("tetra", "volume: hull")),
+              "object \"tetra\" has bounding volumes that are neither balls nor boxes");
+}
+
 std::string name_of(const testing::TestParamInfo<Example>& example) { return example.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Wide, testing::ValuesIn(example_scenes("20,15")), name_of);

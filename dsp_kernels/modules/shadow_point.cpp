@@ -1,0 +1,11 @@
+// Module "shadow_point" of the node program: shadow rays from point lights (Sec. 15.2).
+// Measured by tools/measure_modules, never linked into pxm (docs/program-memory.md).
+#include "dsp_kernels/modules/measured_node.hpp"
+#include "dsp_kernels/shadow.hpp"
+
+namespace pxm::kernels {
+
+template Search<float> search_from_light(Node&, const Search<float>&, const Vec3<float>&, float,
+                                         const Vec3<float>&) noexcept;
+
+}  // namespace pxm::kernels

@@ -1,0 +1,311 @@
+// What is seen along an eye ray: cells, or local covers, shaded and shadowed, and what mirrors
+// show. A mirror adds a ray to a short list instead of a call inside the call: the stack of a node
+// has a bound. Node code: no allocation, no exceptions.
+#pragma once
+
+#include <type_traits>
+
+#include "dsp_kernels/covers.hpp"
+#include "dsp_kernels/intersect.hpp"
+#include "dsp_kernels/lights.hpp"
+#include "dsp_kernels/reflection.hpp"
+#include "dsp_kernels/shadow.hpp"
+
+namespace pxm::kernels {
+
+/// What a scene needs of the tracer; what it does not is not compiled in.
+struct Features {
+    bool covers = false;   // local covers or translucent objects
+    bool shadows = false;  // lights that cast shadows
+    bool mirrors = false;  // surfaces that reflect
+};
+inline constexpr Features plain_features{};
+inline constexpr Features all_features{true, true, true};
+
+/// What the tracer takes from the scene block, read once for all pixels.
+template <class Real>
+struct FrameConstants {
+    Search<Real> search;  // of eye rays, without the ray
+    ShadingMode shading;
+    Vec3<Real> background;
+    std::uint32_t bounces;  // most mirrors one after another
+    std::uint32_t samples;  // eye rays of a pixel
+    Real sample_share;      // 1 / samples
+};
+
+/// Which of a pixel's eye rays: the first one's cell stands for the pixel.
+enum class Sample { first, other };
+
+/// Rays of one pixel, beyond the eye's.
+struct RayCounts {
+    std::uint64_t light = 0;
+    std::uint64_t reflect = 0;
+};
+
+/// What is known of a pixel once it is traced. Of several cells that show along its first ray,
+/// `found` is the one that contributes most.
+template <class Real>
+struct PixelResult {
+    Vec3<Real> color{};
+    Real opacity{};  // 0: the background alone
+    SearchResult<Real> found;
+    Vec3<Real> normal{};  // the total normal at `found`
+    SearchCounts counts;
+    RayCounts rays;
+};
+
+/// A share below this adds nothing that a picture could show; it is left to what is in front.
+template <class Real>
+inline constexpr Real least_share = from_double<Real>(0x1p-9);
+
+/// A ray still to be traced, and the share of it in the pixel.
+template <class Real>
+struct PendingRay {
+    Search<Real> search;
+    Real share;
+    std::uint32_t bounces_left;
+};
+
+/// The rays still to be traced. When there are too many, those that matter least are given up.
+template <class Real>
+class PendingRays {
+  public:
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] PendingRay<Real> pop() noexcept { return rays_[--size_]; }
+    template <NodeLike Node>
+    void push(Node& node, const PendingRay<Real>& ray) noexcept {
+        node.tally(Operation::compare_branch, 1);
+        if (ray.share < least_share<Real>) return;
+        if (size_ < capacity) {
+            rays_[size_++] = ray;
+            return;
+        }
+        std::uint32_t least = 0;
+        for (std::uint32_t i = 1; i < capacity; ++i) {
+            node.tally(Operation::loop_turn, 1);
+            node.tally(Operation::compare_branch, 1);
+            if (rays_[i].share < rays_[least].share) least = i;
+        }
+        if (rays_[least].share < ray.share) rays_[least] = ray;
+    }
+
+  private:
+    static constexpr std::uint32_t capacity = 8;
+    PendingRay<Real> rays_[capacity];
+    std::uint32_t size_ = 0;
+};
+
+/// Covers found along a ray and not yet shaded: shadow rays need the heap, so that a search for
+/// covers stops when the list is full, and goes on behind the last one later.
+template <class Real>
+struct CoverList {
+    static constexpr std::uint32_t capacity = 8;
+    struct Entry {
+        Cell<Real> cell;
+        Shown<Real> shown;
+    };
+    Entry entries[capacity];
+    std::uint32_t size = 0;
+};
+
+/// Fills the list with what shows, until nothing shows behind.
+template <NodeLike Node>
+struct CollectCovers {
+    using Real = typename Node::Real;
+    Node& node;
+    CoverList<Real>& list;
+    Real& left;  // of the ray's share
+    bool operator()(const Cell<Real>& cell, const Shown<Real>& shown) const noexcept {
+        node.tally(Operation::multiply_add, 2);
+        node.tally(Operation::compare_branch, 1);
+        node.tally(Operation::integer, 3);
+        auto& entry = list.entries[list.size++];
+        move_cell(node, entry.cell, cell);
+        entry.shown = shown;
+        left = left - left * shown.opacity;
+        return !(left < least_share<Real>)&&list.size < CoverList<Real>::capacity;
+    }
+};
+
+/// Takes from a light what shows along a shadow ray (Eqs. 18.7, 18.8).
+template <NodeLike Node>
+struct DimLight {
+    using Real = typename Node::Real;
+    Node& node;
+    Real& left;
+    bool operator()(const Cell<Real>&, const Shown<Real>& shown) const noexcept {
+        node.tally(Operation::multiply_add, 1);
+        node.tally(Operation::compare_branch, 1);
+        left = left - left * shown.opacity;
+        return !(left < least_share<Real>);
+    }
+};
+
+/// A member that only some tracers have.
+struct Nothing {};
+template <bool wanted, class Member>
+using OnlyIf = std::conditional_t<wanted, Member, Nothing>;
+
+/// Traces one eye ray and what follows from it.
+template <Features features, NodeLike Node>
+class Tracer {
+  public:
+    using Real = typename Node::Real;
+
+    Tracer(Node& node, const FrameConstants<Real>& frame, Heap<Node>& heap,
+           PixelResult<Real>& result) noexcept
+        : node_(node), frame_(frame), heap_(heap), result_(result) {}
+
+    /// Adds `share` of what is seen along the ray to the result.
+    void trace(const Search<Real>& eye, Real share, Sample sample) noexcept {
+        sample_ = sample;
+        look_along({eye, share, frame_.bounces}, RayKind::eye);
+        if constexpr (features.mirrors) {
+            while (!pending_.empty()) {
+                node_.tally(Operation::loop_turn, 1);
+                ++result_.rays.reflect;
+                look_along(pending_.pop(), RayKind::mirror);
+            }
+        }
+    }
+
+  private:
+    /// Front to back (Eqs. 18.5, 18.6): `share` is what of the ray is still to be given away.
+    void look_along(PendingRay<Real> ray, RayKind kind) noexcept {
+        watch_ray(node_, kind, ray.search);
+        kind_ = kind;
+        most_ = Real(0);
+        if constexpr (features.covers) {
+            look_through_covers(ray);
+        } else {
+            look_at_first(ray);
+        }
+        if (!(Real(0) < ray.share)) return;
+        result_.color = add_scaled(node_, result_.color, ray.share, frame_.background);
+    }
+
+    void look_at_first(PendingRay<Real>& ray) noexcept {
+        const SearchResult<Real> found = intersect(node_, ray.search, heap_, result_.counts);
+        if (found.outcome == Outcome::miss) return;
+        show(ray, found.cell, found.shown, found.outcome);
+        ray.share = Real(0);
+    }
+
+    void look_through_covers(PendingRay<Real>& ray) noexcept {
+        Cell<Real> last;
+        bool more = true;
+        for (const Cell<Real>* after = nullptr; more; after = &last) {
+            node_.tally(Operation::loop_turn, 1);
+            more = collect(ray, after);
+            for (std::uint32_t i = 0; i < covers_.size; ++i) {
+                node_.tally(Operation::loop_turn, 1);
+                show_cover(ray, covers_.entries[i], !more && i + 1 == covers_.size);
+            }
+            if (more) move_cell(node_, last, covers_.entries[covers_.size - 1].cell);
+        }
+    }
+
+    /// The next covers in order. False if there is nothing behind them to be seen.
+    [[nodiscard]] bool collect(const PendingRay<Real>& ray, const Cell<Real>* after) noexcept {
+        Real left = ray.share;
+        covers_.size = 0;
+        covers_along(node_, ray.search, after, heap_, result_.counts,
+                     CollectCovers<Node>{node_, covers_, left});
+        opaque_ = left < least_share<Real>;
+        return !opaque_ && covers_.size == CoverList<Real>::capacity;
+    }
+
+    void show_cover(PendingRay<Real>& ray, const typename CoverList<Real>::Entry& cover,
+                    bool last) noexcept {
+        node_.tally(Operation::multiply_add, 2);
+        PendingRay<Real> part = ray;
+        part.share = last && opaque_ ? ray.share : ray.share * cover.shown.opacity;
+        show(part, cover.cell, cover.shown, Outcome::hit);
+        ray.share = ray.share - part.share;
+    }
+
+    /// Adds `ray.share` of a cell.
+    void show(const PendingRay<Real>& ray, const Cell<Real>& cell, const Shown<Real>& shown,
+              Outcome outcome) noexcept {
+        const Sighting<Real> sighting{ray.search, cell, shown.map};
+        LitPlace<Real> lit;
+        lit.surface = surface_at(node_, sighting, frame_.shading);
+        lit.point = point_at(node_, ray.search.ray, cell.key);
+        lit.pixel = pixel_at(node_, ray.search, cell.object, cell.key);
+        lit.sighting = &sighting;
+        shade(ray, lit);
+        if (kind_ != RayKind::eye) return;
+        result_.opacity = result_.opacity + ray.share;
+        node_.tally(Operation::compare_branch, 1);
+        if (sample_ != Sample::first || !(most_ < ray.share)) return;
+        most_ = ray.share;
+        result_.found.outcome = outcome;
+        result_.normal = lit.surface.normal;
+        move_cell(node_, result_.found.cell, cell);
+    }
+
+    /// Adds a surface with its light, and asks for what it mirrors.
+    void shade(const PendingRay<Real>& ray, const LitPlace<Real>& lit) noexcept {
+        Real share = ray.share;
+        if constexpr (features.mirrors) {
+            node_.tally(Operation::compare_branch, 2);
+            if (Real(0) < lit.surface.reflect && ray.bounces_left > 0) {
+                node_.tally(Operation::multiply_add, 2);
+                const Real mirror_share = share * lit.surface.reflect;
+                share = share - mirror_share;
+                pending_.push(
+                    node_, {mirrored(node_, ray.search, lit.point, lit.pixel, lit.surface.normal),
+                            mirror_share, ray.bounces_left - 1});
+            }
+        }
+        const Vec3<Real> color = illuminate(node_, lit, frame_.shading, [&](std::uint32_t light) {
+            return light_share(ray.search, lit, light);
+        });
+        result_.color = add_scaled(node_, result_.color, share, color);
+    }
+
+    /// The share of a light that reaches a place.
+    [[nodiscard]] Real light_share(const Search<Real>& eye, const LitPlace<Real>& lit,
+                                   std::uint32_t light) noexcept {
+        if constexpr (!features.shadows) return Real(1);
+        using Light = LightRecord<real_words<Real>>;
+        node_.tally(Operation::integer, 2);
+        if (node_.shape_word(light + Light::shadow) == 0) return Real(1);
+        ++result_.rays.light;
+        const Vec3<Real> place = read_vector(node_, light + Light::place);
+        const auto kind = static_cast<LightKind>(node_.shape_word(light + Light::kind));
+        const Search<Real> search =
+            kind == LightKind::directional
+                ? search_to_light(node_, eye, lit.point, lit.pixel, place)
+                : search_from_light(node_, eye, lit.point, lit.pixel, place);
+        watch_ray(node_, RayKind::light, search);
+        return transparency(search);
+    }
+
+    /// What of a light passes all that stands along a shadow ray.
+    [[nodiscard]] Real transparency(const Search<Real>& search) noexcept {
+        if constexpr (features.covers) {
+            Real left = Real(1);
+            const Cell<Real>* from_start = nullptr;
+            covers_along(node_, search, from_start, heap_, result_.counts,
+                         DimLight<Node>{node_, left});
+            return left < least_share<Real> ? Real(0) : left;
+        } else {
+            const auto found = intersect(node_, search, heap_, result_.counts);
+            return found.outcome == Outcome::miss ? Real(1) : Real(0);
+        }
+    }
+
+    Node& node_;
+    const FrameConstants<Real>& frame_;
+    Heap<Node>& heap_;
+    PixelResult<Real>& result_;
+    [[no_unique_address]] OnlyIf<features.mirrors, PendingRays<Real>> pending_;
+    [[no_unique_address]] OnlyIf<features.covers, CoverList<Real>> covers_;
+    bool opaque_ = false;  // nothing shows behind the covers in the list
+    Sample sample_ = Sample::first;
+    RayKind kind_ = RayKind::eye;
+    Real most_{};  // the largest share of a cell on the eye ray
+};
+
+}  // namespace pxm::kernels

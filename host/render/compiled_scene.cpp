@@ -1,0 +1,27 @@
+#include "host/render/compiled_scene.hpp"
+
+#include <algorithm>
+
+namespace pxm::host {
+
+bool needs_covers(const CompiledScene& scene) {
+    return scene.covers || std::ranges::any_of(scene.objects, [](const CompiledObject& object) {
+               return object.opacity < 1;
+           });
+}
+
+bool needs_shadows(const CompiledScene& scene) {
+    return std::ranges::any_of(scene.lights, &CompiledLight::shadow);
+}
+
+bool needs_mirrors(const CompiledScene& scene) {
+    return scene.bounces > 0 &&
+           std::ranges::any_of(scene.objects,
+                               [](const CompiledObject& object) { return object.reflect > 0; });
+}
+
+bool needs_plain_features(const CompiledScene& scene) {
+    return !needs_covers(scene) && !needs_shadows(scene) && !needs_mirrors(scene);
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,141 @@
+#include "host/study/study.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "host/interrupt.hpp"
+#include "host/output/progress.hpp"
+#include "host/output/safe_file.hpp"
+#include "host/study/unit_store.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr int schema_version = 1;  // docs/studies-format.md
+
+StudyPlan plan_of(const StudyRequest& request) {
+    switch (request.kind) {
+        case StudyKind::balance:
+            return plan_balance(request);
+        case StudyKind::error:
+            return plan_error(request);
+        case StudyKind::stability:
+            return plan_stability(request);
+        case StudyKind::shading:
+            return plan_shading(request);
+    }
+    return {};
+}
+
+void make_folder(const std::string& path) {
+    std::error_code error;
+    if (std::filesystem::exists(path) && !std::filesystem::is_directory(path))
+        throw Error(ExitCode::file, fmt::format("cannot make the folder {}: it is a file", path));
+    std::filesystem::create_directories(path, error);
+    if (error) {
+        throw Error(ExitCode::file,
+                    fmt::format("cannot make the folder {}: {}", path, error.message()));
+    }
+    require_writable(path + "/data.json");
+}
+
+/// A line a unit where there is no terminal for a bar.
+void tell(const StudyRequest& request, const Progress& progress, std::size_t done, std::size_t all,
+          const std::string& name, double seconds) {
+    if (request.quiet || progress.enabled()) return;
+    fmt::print(stderr, "{}/{} {} in {:.1f} s\n", done, all, name, seconds);
+}
+
+/// The results of all units, those that are stored and those measured now; nothing if a signal
+/// came.
+std::optional<std::vector<Json>> measure_all(const StudyRequest& request, const StudyPlan& plan) {
+    UnitStore store(request.folder + "/units");
+    std::vector<std::optional<Json>> results;
+    std::size_t missing = 0;
+    for (const Unit& unit : plan.units) {
+        results.push_back(request.fresh ? std::nullopt : store.find(unit.name, unit.settings));
+        missing += !results.back();
+    }
+    const std::size_t known = plan.units.size() - missing;
+    if (known > 0 && !request.quiet) {
+        fmt::print(stderr, "{} of {} measurements are there already\n", known, plan.units.size());
+    }
+    Progress progress(request.quiet);
+    std::size_t measured = 0;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (results[i]) continue;
+        UnitControl control{{&stop_requested(), nullptr}, request.folder};
+        if (progress.enabled()) {
+            control.run.progress = [&](double share) {
+                progress.update((static_cast<double>(measured) + share) /
+                                static_cast<double>(missing));
+            };
+        }
+        const auto start = std::chrono::steady_clock::now();
+        try {
+            results[i] = plan.units[i].measure(control);
+        } catch (const StudyStopped&) {
+            return std::nullopt;
+        }
+        if (stop_requested()) return std::nullopt;
+        store.put(plan.units[i].name, plan.units[i].settings, *results[i]);
+        ++measured;
+        progress.update(static_cast<double>(measured) / static_cast<double>(missing));
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        tell(request, progress, known + measured, results.size(), plan.units[i].name, took.count());
+    }
+    std::vector<Json> all;
+    for (std::optional<Json>& result : results) all.push_back(std::move(*result));
+    return all;
+}
+
+Json heading(const StudyRequest& request) {
+    Json json = {
+        {"study", name_of(request.kind)}, {"pxm", PXM_VERSION}, {"schema_version", schema_version}};
+    Json options = Json::object();
+    if (request.size) options["size"] = {request.size->columns, request.size->rows};
+    if (request.machine) options["machine"] = request.machine->name;
+    options["threads"] = request.threads;
+    json["options"] = options;
+    return json;
+}
+
+}  // namespace
+
+const char* name_of(StudyKind kind) {
+    switch (kind) {
+        case StudyKind::balance:
+            return "balance";
+        case StudyKind::error:
+            return "error";
+        case StudyKind::stability:
+            return "stability";
+        case StudyKind::shading:
+            return "shading";
+    }
+    return "";
+}
+
+ExitCode run_study(const StudyRequest& request) {
+    const StudyPlan plan = plan_of(request);
+    make_folder(request.folder);
+    const auto results = measure_all(request, plan);
+    if (!results) {
+        if (!request.quiet) fmt::print(stderr, "stopped; the same command goes on from here\n");
+        return signal_exit_code();
+    }
+    Json data = heading(request);
+    data.update(plan.assemble(*results));
+    for (const TextFile& table : plan.tables(data))
+        write_text_safely(request.folder + "/" + table.name, table.text);
+    write_text_safely(request.folder + "/report.html", plan.page(data, request.folder));
+    write_text_safely(request.folder + "/data.json", data.dump(1) + "\n");
+    if (!request.quiet) fmt::print(stderr, "{}/report.html\n", request.folder);
+    return ExitCode::done;
+}
+
+}  // namespace pxm::host

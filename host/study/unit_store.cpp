@@ -1,0 +1,37 @@
+#include "host/study/unit_store.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include "host/error.hpp"
+#include "host/output/safe_file.hpp"
+
+namespace pxm::host {
+
+using Json = nlohmann::ordered_json;
+
+std::string UnitStore::path(const std::string& name) const {
+    return folder_ + "/" + name + ".json";
+}
+
+std::optional<Json> UnitStore::find(const std::string& name, const Json& settings) const {
+    std::ifstream file(path(name), std::ios::binary);
+    if (!file) return std::nullopt;
+    const Json stored = Json::parse(file, nullptr, false);
+    if (!stored.is_object() || !stored.contains("settings") || !stored.contains("result"))
+        return std::nullopt;
+    // As text: a number read back is the same text, whatever type it was made from.
+    if (stored["settings"].dump() != settings.dump()) return std::nullopt;
+    return stored["result"];
+}
+
+void UnitStore::put(const std::string& name, const Json& settings, const Json& result) {
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    if (error) {
+        throw Error(ExitCode::file, "cannot make the folder " + folder_ + ": " + error.message());
+    }
+    write_text_safely(path(name), Json{{"settings", settings}, {"result", result}}.dump() + "\n");
+}
+
+}  // namespace pxm::host

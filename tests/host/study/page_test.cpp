@@ -1,0 +1,83 @@
+// Laws of a report's parts. What a browser makes of them: tests/browser/.
+#include "host/study/page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "host/study/plot.hpp"
+#include "tests/support/folder.hpp"
+
+namespace pxm::host {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Page, text_cannot_become_markup) {
+    Page page("a < b");
+    page.paragraph("<script>x & y</script>");
+    page.table({{"\"n\""}, {{"<i>"}}});
+    EXPECT_THAT(page.html(), HasSubstr("<p>&lt;script&gt;x &amp; y&lt;/script&gt;</p>"));
+    EXPECT_THAT(page.html(), HasSubstr("<th>&quot;n&quot;</th>"));
+    EXPECT_THAT(page.html(), HasSubstr("<title>a &lt; b</title>"));
+    EXPECT_THAT(page.html(), Not(HasSubstr("<i>")));
+}
+
+TEST(Page, a_page_asks_for_nothing_else) {
+    test::Folder folder;
+    folder.write("p.png", "Man");
+    Page page("p");
+    page.row({Page::figure({"map", folder.path("p.png"), 2, 1, {3, 4.5}, "cycles"})});
+    EXPECT_THAT(page.html(), HasSubstr("base64,TWFu\""));
+    EXPECT_THAT(page.html(), HasSubstr("data-values=\"3 4.5\""));
+    EXPECT_THAT(page.html(), Not(HasSubstr("src=\"http")));
+    folder.write("p.png", "Ma");
+    EXPECT_THAT(Page::figure({"", folder.path("p.png"), 0, 0, {}, ""}), HasSubstr("base64,TWE=\""));
+}
+
+TEST(Page, csv_quotes_what_needs_it) {
+    EXPECT_EQ(csv_of({{"a", "b"}, {{"1,2", "say \"x\""}, {"3", "4"}}}),
+              "a,b\n\"1,2\",\"say \"\"x\"\"\"\n3,4\n");
+}
+
+TEST(Plot, numbers_are_written_for_people) {
+    EXPECT_EQ(number_text(0), "0");
+    EXPECT_EQ(number_text(0.97312), "0.9731");
+    EXPECT_EQ(number_text(1234567), "1,234,567");
+    EXPECT_EQ(number_text(-65536), "-65,536");
+    EXPECT_EQ(number_text(1.25e-7), "1.25e-07");
+    EXPECT_EQ(number_text(-std::numeric_limits<double>::infinity()), "-inf");
+}
+
+TEST(Plot, what_an_axis_cannot_show_is_left_out) {
+    LinePlot plot;
+    plot.x.scale = AxisScale::logarithmic;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    plot.series = {{"s", {{0, 1, "zero"}, {10, nan, "none"}, {10, 2, "ten"}, {1000, 3, "more"}}}};
+    const std::string svg = svg_of(plot);
+    EXPECT_THAT(svg, HasSubstr("data-tip=\"ten\""));
+    EXPECT_THAT(svg, Not(HasSubstr("data-tip=\"zero\"")));
+    EXPECT_THAT(svg, Not(HasSubstr("data-tip=\"none\"")));
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+TEST(Plot, a_plot_without_values_is_still_a_plot) {
+    EXPECT_THAT(svg_of(LinePlot{}), HasSubstr("</svg>"));
+    EXPECT_THAT(svg_of(BarPlot{}), Not(HasSubstr("nan")));
+    EXPECT_THAT(svg_of(HeatMap{"", "", 1, 1, {5}}), Not(HasSubstr("nan")));
+}
+
+TEST(Plot, the_scale_gets_darker_all_the_way) {
+    double before = 1000;
+    for (int i = 0; i <= 100; ++i) {
+        const ScaleColor c = scale_color(i / 100.0);
+        const double lightness = 0.299 * c.red + 0.587 * c.green + 0.114 * c.blue;
+        EXPECT_LT(lightness, before) << i;
+        before = lightness;
+    }
+}
+
+}  // namespace
+}  // namespace pxm::host
