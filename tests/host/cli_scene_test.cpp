@@ -106,14 +106,6 @@ TEST_F(BadScene, an_image_of_no_or_of_a_billion_pixels_is_code_3) {
                   {"error: image: 'crop' is not inside the image of 8,8"});
 }
 
-TEST_F(BadScene, what_cannot_be_rendered_yet_is_code_3) {
-    const std::string tetra = tetra_scene;
-    const auto unsupported = [&](const std::string& block) {
-        refuse_naming(tetra + block, {"a.pxm:7:", "not supported yet", block});
-    };
-    unsupported("render { intersect: wide }");
-}
-
 TEST_F(BadScene, a_map_or_volume_that_chapter_13_does_not_project_is_named) {
     const std::string fast = "render { intersect: fast }\n";
     refuse(fast + "ifs a {\n    newmap scale: 0.5\n    newmap turned scale: 0.5 rotate: y,9\n}\n",
