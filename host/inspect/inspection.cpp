@@ -9,6 +9,7 @@
 #include "host/fractal/rifs.hpp"
 #include "host/fractal/short_by.hpp"
 #include "host/render/volumes.hpp"
+#include "host/scene/default_objects.hpp"
 
 namespace pxm::host {
 
@@ -123,15 +124,8 @@ Inspection inspect(const Scene& scene, const std::string& path, Diagnostics& dia
         return inspection;
     }
     inspection.needs = node_needs(scene, diagnostics);  // finds the same warnings, and more
-    for (const ObjectBlock& object : scene.objects) {
+    for (const ObjectBlock& object : objects_of(scene)) {
         inspection.objects.push_back(inspect_object(object, scene, inspection.ifs));
-    }
-    if (!scene.objects.empty()) return inspection;
-    for (const IfsBlock& block : scene.ifs) {
-        ObjectBlock shown;  // a scene without objects shows its systems as they are
-        shown.name = block.name;
-        shown.ifs = block.name;
-        inspection.objects.push_back(inspect_object(shown, scene, inspection.ifs));
     }
     return inspection;
 }

@@ -11,9 +11,12 @@
 
 #include "host/fractal/lipschitz.hpp"
 #include "host/render/bounding_volume.hpp"
+#include "host/render/compile_floor.hpp"
 #include "host/render/lifted_fractal.hpp"
 #include "host/render/lights.hpp"
+#include "host/render/method.hpp"
 #include "host/render/samples.hpp"
+#include "host/render/shape.hpp"
 #include "host/render/view.hpp"
 #include "host/render/volumes.hpp"
 #include "host/scene/default_objects.hpp"
@@ -60,80 +63,6 @@ Ball ball_around(const std::vector<Placed>& objects) {
     return all;
 }
 
-double power_of_two_near(double x) {
-    return x > 0 && std::isfinite(x) ? std::exp2(std::round(std::log2(x))) : 1.0;
-}
-
-kernels::Lipschitz choose_lipschitz(LipschitzMethod method, const Rifs& rifs) {
-    switch (method) {
-        case LipschitzMethod::product:
-            return kernels::Lipschitz::product;
-        case LipschitzMethod::determinant:
-            return kernels::Lipschitz::determinant;
-        case LipschitzMethod::polar:
-            return kernels::Lipschitz::polar;
-        case LipschitzMethod::automatic:
-            break;
-    }
-    const bool similar = std::ranges::all_of(rifs.maps, [](const Affine& map) {
-        const MapKind kind = classify(map);
-        return kind == MapKind::homothety || kind == MapKind::similitude;
-    });
-    return similar ? kernels::Lipschitz::product : kernels::Lipschitz::polar;
-}
-
-double constant_by(kernels::Lipschitz method, const Affine& map) {
-    return method == kernels::Lipschitz::determinant ? determinant_constant(map)
-                                                     : lipschitz_constant(map);
-}
-
-/// The similarity from a shape's own coordinates (its ball about the unit ball) to those of its
-/// ifs.
-struct Frame {
-    glm::dvec3 center{0.0};
-    double scale = 1;
-};
-
-/// For every map the diameter of the largest volume that it may stand in.
-std::vector<double> diameters_around(const Rifs& rifs, const std::vector<CompiledVolume>& volumes) {
-    std::vector<double> around(rifs.maps.size(), 0);
-    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
-        for (const int map : rifs.follow_sets[s].maps) {
-            double& largest = around[static_cast<std::size_t>(map)];
-            largest = std::max(largest, volumes[s].diameter);
-        }
-    }
-    return around;
-}
-
-CompiledShape make_shape(const IfsBlock& block, const Fractal& fractal, const Frame& frame,
-                         const std::vector<CompiledVolume>& volumes, kernels::Lipschitz method) {
-    const Rifs& rifs = fractal.rifs;
-    const std::vector<double> around = diameters_around(rifs, volumes);
-    CompiledShape shape;
-    shape.ifs = block.name;
-    shape.map_names = rifs.map_names;
-    shape.start = rifs.start;
-    shape.lifted = fractal.lifted;
-    shape.lipschitz = method;
-    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
-        shape.sets.push_back(
-            {in_frame(volumes[s], frame.center, frame.scale), rifs.follow_sets[s].maps});
-    }
-    for (std::size_t i = 0; i < rifs.maps.size(); ++i) {
-        const Affine& map = rifs.maps[i];
-        shape.maps.push_back({{map.linear, (map.point(frame.center) - frame.center) / frame.scale},
-                              constant_by(method, map),
-                              smallest_singular_value(map) *
-                                  volumes[static_cast<std::size_t>(rifs.follow_of[i])].diameter /
-                                  around[i],
-                              block.maps[i].color.value_or(glm::dvec4{0.0}),
-                              rifs.follow_of[i],
-                              lost_axes(fractal.exact.maps[i])});
-    }
-    return shape;
-}
-
 kernels::ShadingMode shading_mode(Shading shading) {
     switch (shading) {
         case Shading::constant:
@@ -166,10 +95,13 @@ class Compiler {
         set_view(ball_around(objects));
         if (diagnostics_.has_errors()) return {};
         lift_to_pixels(objects);
+        out_.method = chosen_method(render_);
         for (const Placed& object : objects) add_object(object);
+        compile_floor(scene_, view_, fractals_, out_, diagnostics_);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
         set_sampling();
+        if (out_.method == kernels::Method::fast) require_solid(render_, out_, diagnostics_);
         out_.heap = render_.heap.value_or(out_.heap);
         out_.ambient = render_.ambient.value_or(out_.ambient);
         out_.background = render_.background.value_or(out_.background);
@@ -180,6 +112,9 @@ class Compiler {
     void make_fractals() {
         for (const IfsBlock& block : scene_.ifs) {
             if (auto fractal = make_fractal(block, diagnostics_)) {
+                if (chosen_method(render_) == kernels::Method::fast) {
+                    require_homotheties(block, fractal->exact, diagnostics_);
+                }
                 fractals_.emplace(block.name, std::move(*fractal));
             }
         }
@@ -258,13 +193,15 @@ class Compiler {
     }
 
     void add_object(const Placed& object) {
-        const Ball ball = object.own_ball();
-        const Frame frame{ball.center, power_of_two_near(ball.radius)};
+        const Frame frame = frame_around(object.own_ball());
         CompiledObject result;
         result.name = object.block->name;
         result.shape = object.fractal == nullptr ? shape_of_volume(*object.block, frame)
                                                  : shape_of_fractal(object, frame);
         const CompiledShape& shape = out_.shapes[static_cast<std::size_t>(result.shape)];
+        if (out_.method == kernels::Method::fast) {
+            require_spheres(*object.block, shape, diagnostics_);
+        }
         result.instance.linear = object.instance.linear * (frame.scale / out_.unit);
         result.instance.translation = (object.instance.point(frame.center) - view_.eye) / out_.unit;
         result.constant = constant_by(shape.lipschitz, result.instance);
@@ -287,42 +224,77 @@ class Compiler {
     int shape_of_fractal(const Placed& object, const Frame& frame) {
         const Fractal& fractal = *object.fractal;
         const std::string& name = *object.block->ifs;
-        const auto volumes =
-            choose_volumes(*object.block, render_.volume.value_or(VolumeKind::automatic),
-                           fractal.rifs, fractal.bounds, diagnostics_);
+        const auto& volumes = volumes_of(object);
         const auto method =
             choose_lipschitz(render_.lipschitz.value_or(LipschitzMethod::automatic), fractal.exact);
+        if (const auto made = shape_with(name, volumes, frame)) return *made;
         const auto block = std::ranges::find(scene_.ifs, name, &IfsBlock::name);
-        return shared(make_shape(*block, fractal, frame, volumes, method));
+        CompiledShape shape = make_shape(fractal.rifs, volumes, frame, method);
+        shape.lifted = fractal.lifted;
+        for (std::size_t i = 0; i < shape.maps.size(); ++i) {
+            shape.maps[i].color = block->maps[i].color.value_or(glm::dvec4{0.0});
+            shape.maps[i].lost = lost_axes(fractal.exact.maps[i]);
+        }
+        return add_shape(std::move(shape));
     }
 
     int shape_of_volume(const ObjectBlock& block, const Frame& frame) {
+        const CompiledVolume volume = primitive_volume(*block.volume);
+        if (const auto made = shape_with("", {volume}, frame)) return *made;
         CompiledShape shape;
-        shape.sets.push_back(
-            {in_frame(primitive_volume(*block.volume), frame.center, frame.scale), {}});
-        return shared(shape);
+        shape.sets.push_back({in_frame(volume, frame.center, frame.scale), {}});
+        return add_shape(std::move(shape));
     }
 
-    /// The number of a shape: that of one made before if there is an equal one.
-    int shared(const CompiledShape& shape) {
-        const auto same = [&](const CompiledShape& other) {
-            return other.ifs == shape.ifs &&
-                   std::ranges::equal(other.sets, shape.sets, {}, &CompiledSet::volume,
-                                      &CompiledSet::volume);
+    /// The volumes for an object: those chosen for another one that is declared alike.
+    const std::vector<CompiledVolume>& volumes_of(const Placed& object) {
+        const ObjectBlock& block = *object.block;
+        for (const ChosenVolumes& chosen : chosen_) {
+            if (chosen.fractal == object.fractal && chosen.block->volume == block.volume &&
+                chosen.block->levels == block.levels) {
+                return chosen.volumes;
+            }
+        }
+        chosen_.push_back({object.fractal, &block,
+                           choose_volumes(block, volume_kind(render_, block), object.fractal->rifs,
+                                          object.fractal->bounds, diagnostics_)});
+        return chosen_.back().volumes;
+    }
+
+    /// The number of the shape of an ifs with those volumes, if it was made before.
+    std::optional<int> shape_with(const std::string& ifs,
+                                  const std::vector<CompiledVolume>& volumes, const Frame& frame) {
+        const auto same = [&](const CompiledShape& shape) {
+            return shape.ifs == ifs &&
+                   std::ranges::equal(shape.sets, volumes,
+                                      [&](const CompiledSet& set, const CompiledVolume& volume) {
+                                          return set.volume ==
+                                                 in_frame(volume, frame.center, frame.scale);
+                                      });
         };
         const auto found = std::ranges::find_if(out_.shapes, same);
-        if (found == out_.shapes.end()) {
-            out_.shapes.push_back(shape);
-            return static_cast<int>(out_.shapes.size()) - 1;
-        }
+        if (found == out_.shapes.end()) return std::nullopt;
         return static_cast<int>(found - out_.shapes.begin());
     }
+
+    int add_shape(CompiledShape shape) {
+        out_.shapes.push_back(std::move(shape));
+        return static_cast<int>(out_.shapes.size()) - 1;
+    }
+
+    /// What was chosen for the first of the objects that are declared alike.
+    struct ChosenVolumes {
+        const Fractal* fractal;
+        const ObjectBlock* block;
+        std::vector<CompiledVolume> volumes;
+    };
 
     const Scene& scene_;
     RenderBlock render_;
     double zoom_;
     Diagnostics& diagnostics_;
     std::map<std::string, Fractal> fractals_;
+    std::vector<ChosenVolumes> chosen_;
     View view_;
     CompiledScene out_;
 };

@@ -14,6 +14,7 @@
 #include "dsp_kernels/scene_block.hpp"
 #include "host/fractal/affine.hpp"
 #include "host/fractal/polytope.hpp"
+#include "host/render/compiled_floor.hpp"
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {
@@ -92,9 +93,13 @@ struct CompiledScene {
     CropWindow crop;
     std::vector<CompiledShape> shapes;
     std::vector<CompiledObject> objects;
+    std::vector<CompiledPlane> planes;
+    std::vector<CompiledTexture> textures;     // those that planes use
+    std::vector<std::uint32_t> texture_words;  // the texture memory of every node
     std::vector<CompiledLight> lights;
     CompiledCamera camera;
     kernels::ShadingMode shading = kernels::ShadingMode::constant;
+    kernels::Method method = kernels::Method::heap;
     double detail = 1;  // terminal at so many pixels; with covers tau_min
     double fade = 1;    // covers begin to show at so many pixels: tau_max
     bool covers = false;

@@ -21,41 +21,47 @@ const std::vector<MeasuredModule> module_table{
     {"hull", 758, 12, 0},
     {"illuminate", 20, 0, 0},
     {"intersect", 776, 0, 0},
+    {"intersect_fast", 2777, 20, 0},
     {"mirror", 221, 16, 0},
     {"next_after", 1244, 4, 0},
     {"oriented", 1069, 32, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 130, 0, 0},
+    {"pixel_program", 145, 0, 0},
+    {"plane", 658, 16, 0},
     {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
     {"shade", 1801, 68, 0},
     {"shadow", 83, 0, 0},
     {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
-    {"trace", 1618, 12, 0},
-    {"trace_all", 2796, 20, 0},
+    {"texture", 1515, 44, 0},
+    {"texture_image", 944, 12, 0},
+    {"texture_inclusion", 1687, 28, 0},
+    {"texture_wood", 2419, 120, 0},
+    {"trace", 2128, 16, 0},
+    {"trace_all", 3153, 24, 0},
     {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 128, {112, 2, 4}},  // 0
+    {"box", "box_normal", 128, {157, 2, 4}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
     {"box", "decisive_face", 8, {}},  // 2
-    {"box", "intersect_box", 112, {112, 1}},  // 3
+    {"box", "intersect_box", 112, {157, 1}},  // 3
     {"box", "box_normal (part)", 8, {}},  // 4
-    {"camera", "eye_ray", 96, {109, 112, 78, 77}},  // 5
-    {"cone", "cone_normal", 128, {109, 112, 7, 117, 122}},  // 6
+    {"camera", "eye_ray", 96, {154, 157, 87, 86}},  // 5
+    {"cone", "cone_normal", 128, {154, 157, 7, 162, 167}},  // 6
     {"cone", "clip_to_mantle", 8, {}},  // 7
-    {"cone", "intersect_cone", 80, {112, 7, 122}},  // 8
-    {"covers", "next_after", 432, {16, 50, 33, 66, 67, 68, 36, 52, 21}},  // 9
+    {"cone", "intersect_cone", 80, {157, 7, 167}},  // 8
+    {"covers", "next_after", 432, {16, 50, 33, 75, 76, 77, 36, 52, 21}},  // 9
     {"covers", "covers_along", 768, {57, 9, 16, 52, 18, 22}},  // 10
     {"covers", "covers_along", 768, {57, 9, 16, 52, 19, 23}},  // 11
     {"covers", "MissedChildren::shown", 8, {}},  // 12
-    {"covers", "MissedChildren::missed", 80, {112, 29, 85, 117, 35, 122}},  // 13
-    {"covers", "shrunk_for_covers", 96, {109, 112, 118, 37, 122}},  // 14
-    {"covers", "push_children_and_cover", 480, {27, 12, 13, 85, 16, 43, 32, 35}},  // 15
+    {"covers", "MissedChildren::missed", 80, {157, 29, 96, 162, 35, 167}},  // 13
+    {"covers", "shrunk_for_covers", 96, {154, 157, 163, 37, 167}},  // 14
+    {"covers", "push_children_and_cover", 480, {27, 12, 13, 96, 16, 43, 32, 35}},  // 15
     {"covers", "Cell::Cell", 8, {}},  // 16
     {"covers", "ending", 48, {28}},  // 17
     {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 20, 22}},  // 18
@@ -65,21 +71,21 @@ const std::vector<MeasuredFunction> function_table{
     {"covers", "CoverWalk::tell", 32, {50, 20}},  // 22
     {"covers", "CoverWalk::tell", 32, {50}},  // 23
     {"cylinder", "within_mantle", 8, {}},  // 24
-    {"cylinder", "cylinder_normal", 128, {109, 112, 24, 122}},  // 25
-    {"cylinder", "intersect_cylinder", 96, {112, 24, 122}},  // 26
-    {"descend", "child_cell", 144, {110, 113, 39}},  // 27
+    {"cylinder", "cylinder_normal", 128, {154, 157, 24, 167}},  // 25
+    {"cylinder", "intersect_cylinder", 96, {157, 24, 167}},  // 26
+    {"descend", "child_cell", 144, {155, 158, 39}},  // 27
     {"descend", "at_last_level", 8, {}},  // 28
-    {"descend", "cell_diameter", 32, {86}},  // 29
-    {"descend", "outermost_cell", 176, {110, 111, 113, 35}},  // 30
-    {"descend", "intersect_volume", 8, {3, 8, 55, 99, 26, 75}},  // 31
+    {"descend", "cell_diameter", 32, {97}},  // 29
+    {"descend", "outermost_cell", 176, {155, 156, 158, 35}},  // 30
+    {"descend", "intersect_volume", 8, {3, 8, 55, 110, 26, 84}},  // 31
     {"descend", "meet", 112, {28, 31, 14, 34}},  // 32
     {"descend", "ending", 48, {28, 29, 37}},  // 33
-    {"descend", "approach", 80, {112, 119}},  // 34
+    {"descend", "approach", 80, {157, 164}},  // 34
     {"descend", "is_polar", 8, {}},  // 35
     {"descend", "map_from", 8, {}},  // 36
     {"descend", "pixel_at", 8, {}},  // 37
-    {"flatness", "undo_squash", 80, {109, 117, 122}},  // 38
-    {"flatness", "keep_thickness", 208, {111, 112, 38, 116, 117, 35, 37, 123}},  // 39
+    {"flatness", "undo_squash", 80, {154, 162, 167}},  // 38
+    {"flatness", "keep_thickness", 208, {156, 157, 38, 161, 162, 35, 37, 168}},  // 39
     {"heap", "cell_words", 8, {}},  // 40
     {"heap", "Heap::pop", 16, {44, 46, 48}},  // 41
     {"heap", "Heap::keep", 8, {51}},  // 42
@@ -93,77 +99,122 @@ const std::vector<MeasuredFunction> function_table{
     {"heap", "before", 8, {}},  // 50
     {"heap", "copy_cell", 32, {40}},  // 51
     {"heap", "move_cell", 8, {51}},  // 52
-    {"hull", "cross_plane", 80, {112, 117}},  // 53
-    {"hull", "hull_normal", 128, {53, 112, 122}},  // 54
-    {"hull", "intersect_hull", 112, {53, 112, 122}},  // 55
-    {"illuminate", "facing", 16, {117}},  // 56
+    {"hull", "cross_plane", 80, {157, 162}},  // 53
+    {"hull", "hull_normal", 128, {53, 157, 167}},  // 54
+    {"hull", "intersect_hull", 112, {53, 157, 167}},  // 55
+    {"illuminate", "facing", 16, {162}},  // 56
     {"intersect", "count_heap", 8, {}},  // 57
     {"intersect", "push_objects", 384, {30, 60, 43, 32}},  // 58
-    {"intersect", "push_children", 416, {27, 85, 60, 43, 32, 35}},  // 59
+    {"intersect", "push_children", 416, {27, 96, 60, 43, 32, 35}},  // 59
     {"intersect", "Cell::Cell", 8, {}},  // 60
-    {"intersect", "intersect", 112, {57, 63, 58, 59, 60, 41, 33}},  // 61
-    {"mirror", "mirrored", 112, {109, 117, 123}},  // 62
-    {"next_after", "next_after", 432, {64, 50, 33, 66, 67, 68, 36, 52}},  // 63
-    {"next_after", "Cell::Cell", 8, {}},  // 64
-    {"next_after", "CellPath::make_again", 688, {27, 85, 64, 46, 32, 35, 36, 52, 69}},  // 65
-    {"next_after", "CellPath::up", 48, {46, 65, 69}},  // 66
-    {"next_after", "CellPath::down", 368, {27, 85, 64, 42, 32, 35, 52}},  // 67
-    {"next_after", "CellPath::start", 32, {30, 32}},  // 68
-    {"next_after", "CellWord::get", 8, {}},  // 69
-    {"oriented", "along_axes", 64, {117}},  // 70
-    {"oriented", "clip_to_slab", 8, {}},  // 71
-    {"oriented", "decisive_face", 8, {}},  // 72
-    {"oriented", "oriented_normal", 128, {72, 74, 76}},  // 73
-    {"oriented", "to_oriented_box", 96, {70, 111, 112, 122}},  // 74
-    {"oriented", "intersect_oriented", 80, {71, 74}},  // 75
-    {"oriented", "oriented_normal (part)", 32, {112}},  // 76
-    {"orthographic", "orthographic_ray", 32, {109, 112}},  // 77
-    {"perspective", "perspective_ray", 16, {123}},  // 78
-    {"pixel_program", "read_frame_constants", 32, {112}},  // 79
-    {"point_light", "facing_point_light", 944, {27, 88, 111, 112, 85, 30, 31, 90, 81, 82, 92, 118, 56, 120, 34, 35, 36, 52, 83}},  // 80
-    {"point_light", "direction_to_point_light", 80, {122, 123}},  // 81
-    {"point_light", "Cell::Cell", 8, {}},  // 82
-    {"point_light", "AddPointLight::operator", 96, {29, 81, 56, 93, 121}},  // 83
-    {"polar", "jacobi_rotate", 8, {}},  // 84
-    {"polar", "complete_child", 144, {111, 120}},  // 85
-    {"polar", "largest_singular_value", 128, {84, 117, 118}},  // 86
-    {"shade", "surface_at", 112, {90, 92, 123, 94}},  // 87
-    {"shade", "cell_normal", 96, {89, 115, 123}},  // 88
-    {"shade", "volume_normal", 8, {0, 6, 54, 98, 25, 73}},  // 89
-    {"shade", "outermost_diameter", 352, {29, 30, 91}},  // 90
-    {"shade", "Cell::Cell", 8, {}},  // 91
-    {"shade", "blend", 112, {109, 112, 118}},  // 92
-    {"shade", "PathSum::add", 48, {109}},  // 93
-    {"shade", "walk_path", 896, {27, 88, 111, 112, 85, 30, 31, 91, 92, 120, 34, 35, 36, 52, 95}},  // 94
-    {"shade", "AddNormal::operator", 48, {29, 93}},  // 95
-    {"shadow", "search_to_light", 8, {}},  // 96
-    {"shadow_point", "search_from_light", 80, {117, 122, 123}},  // 97
-    {"sphere", "sphere_normal", 96, {109, 112, 122}},  // 98
-    {"sphere", "intersect_sphere", 112, {112, 117, 122}},  // 99
-    {"trace", "PixelStore::byte", 8, {}},  // 100
-    {"trace", "render_pixel", 736, {109, 87, 112, 80, 56, 5, 37, 121, 61, 52}},  // 101
-    {"trace", "pixel_program", 960, {100, 101, 79, 49}},  // 102
-    {"trace_all", "PixelStore::byte", 8, {}},  // 103
-    {"trace_all", "Tracer::shade (part)", 240, {109, 112, 11, 96, 97, 80, 56}},  // 104
-    {"trace_all", "render_pixel", 3472, {109, 107, 108, 5}},  // 105
-    {"trace_all", "pixel_program", 960, {103, 105, 79, 107, 49}},  // 106
-    {"trace_all", "Cell::Cell", 8, {}},  // 107
-    {"trace_all", "Tracer::look_through_covers", 656, {109, 104, 87, 10, 107, 62, 37, 121, 52}},  // 108
-    {"vectors", "add_scaled", 8, {}},  // 109
-    {"vectors", "read_affine", 96, {111, 112}},  // 110
-    {"vectors", "read_linear", 32, {112}},  // 111
-    {"vectors", "read_vector", 8, {}},  // 112
-    {"vectors", "transform_ray", 48, {114, 116}},  // 113
-    {"vectors", "transform_point", 8, {}},  // 114
-    {"vectors", "transform_normal", 64, {117}},  // 115
-    {"vectors", "transform_direction", 8, {}},  // 116
-    {"vectors", "dot", 8, {}},  // 117
-    {"vectors", "scale", 8, {}},  // 118
-    {"vectors", "rebase", 80, {109, 117, 122}},  // 119
-    {"vectors", "compose", 48, {116}},  // 120
-    {"vectors", "point_at", 8, {109}},  // 121
-    {"vectors", "subtract", 8, {}},  // 122
-    {"vectors", "normalize", 64, {117, 118}},  // 123
+    {"intersect", "intersect", 112, {57, 72, 58, 59, 60, 41, 33}},  // 61
+    {"intersect_fast", "project_ray", 192, {155, 157, 158, 162, 164, 167, 168}},  // 62
+    {"intersect_fast", "include_point", 8, {}},  // 63
+    {"intersect_fast", "project_child", 128, {154, 157, 162, 167}},  // 64
+    {"intersect_fast", "search_object", 416, {62, 63, 66, 68, 69, 70}},  // 65
+    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 66
+    {"intersect_fast", "intersect_fast", 416, {65, 61}},  // 67
+    {"intersect_fast", "push_projected", 128, {157, 63, 64, 66}},  // 68
+    {"intersect_fast", "ending", 48, {37}},  // 69
+    {"intersect_fast", "as_cell", 128, {156, 163, 35}},  // 70
+    {"mirror", "mirrored", 112, {154, 162, 168}},  // 71
+    {"next_after", "next_after", 432, {73, 50, 33, 75, 76, 77, 36, 52}},  // 72
+    {"next_after", "Cell::Cell", 8, {}},  // 73
+    {"next_after", "CellPath::make_again", 688, {27, 96, 73, 46, 32, 35, 36, 52, 78}},  // 74
+    {"next_after", "CellPath::up", 48, {46, 74, 78}},  // 75
+    {"next_after", "CellPath::down", 368, {27, 96, 73, 42, 32, 35, 52}},  // 76
+    {"next_after", "CellPath::start", 32, {30, 32}},  // 77
+    {"next_after", "CellWord::get", 8, {}},  // 78
+    {"oriented", "along_axes", 64, {162}},  // 79
+    {"oriented", "clip_to_slab", 8, {}},  // 80
+    {"oriented", "decisive_face", 8, {}},  // 81
+    {"oriented", "oriented_normal", 128, {81, 83, 85}},  // 82
+    {"oriented", "to_oriented_box", 96, {79, 156, 157, 167}},  // 83
+    {"oriented", "intersect_oriented", 80, {80, 83}},  // 84
+    {"oriented", "oriented_normal (part)", 32, {157}},  // 85
+    {"orthographic", "orthographic_ray", 32, {154, 157}},  // 86
+    {"perspective", "perspective_ray", 16, {168}},  // 87
+    {"pixel_program", "read_frame_constants", 32, {157}},  // 88
+    {"plane", "nearest_plane", 96, {157, 162}},  // 89
+    {"plane", "plane_surface", 144, {112, 157, 162, 166, 115}},  // 90
+    {"point_light", "facing_point_light", 944, {27, 99, 156, 157, 96, 30, 31, 101, 92, 93, 103, 163, 56, 165, 34, 35, 36, 52, 94}},  // 91
+    {"point_light", "direction_to_point_light", 80, {167, 168}},  // 92
+    {"point_light", "Cell::Cell", 8, {}},  // 93
+    {"point_light", "AddPointLight::operator", 96, {29, 92, 56, 104, 166}},  // 94
+    {"polar", "jacobi_rotate", 8, {}},  // 95
+    {"polar", "complete_child", 144, {156, 165}},  // 96
+    {"polar", "largest_singular_value", 128, {95, 162, 163}},  // 97
+    {"shade", "surface_at", 112, {101, 103, 168, 105}},  // 98
+    {"shade", "cell_normal", 96, {100, 160, 168}},  // 99
+    {"shade", "volume_normal", 8, {0, 6, 54, 109, 25, 82}},  // 100
+    {"shade", "outermost_diameter", 352, {29, 30, 102}},  // 101
+    {"shade", "Cell::Cell", 8, {}},  // 102
+    {"shade", "blend", 112, {154, 157, 163}},  // 103
+    {"shade", "PathSum::add", 48, {154}},  // 104
+    {"shade", "walk_path", 896, {27, 99, 156, 157, 96, 30, 31, 102, 103, 165, 34, 35, 36, 52, 106}},  // 105
+    {"shade", "AddNormal::operator", 48, {29, 104}},  // 106
+    {"shadow", "search_to_light", 8, {}},  // 107
+    {"shadow_point", "search_from_light", 80, {162, 167, 168}},  // 108
+    {"sphere", "sphere_normal", 96, {154, 157, 167}},  // 109
+    {"sphere", "intersect_sphere", 112, {157, 162, 167}},  // 110
+    {"texture", "in_repeats", 48, {162}},  // 111
+    {"texture", "layer_color", 192, {154, 111, 157, 113, 167}},  // 112
+    {"texture", "texture_color", 48, {130, 118, 157, 122, 116}},  // 113
+    {"texture", "place_of", 8, {}},  // 114
+    {"texture", "footprint", 96, {154, 162, 163, 168}},  // 115
+    {"texture", "is_beyond (part)", 8, {}},  // 116
+    {"texture_image", "neighbours", 8, {}},  // 117
+    {"texture_image", "image_color", 128, {119, 120, 163, 114}},  // 118
+    {"texture_image", "image_level", 208, {117, 120, 121}},  // 119
+    {"texture_image", "mix", 96, {154, 167}},  // 120
+    {"texture_image", "texel", 8, {}},  // 121
+    {"texture_inclusion", "inclusion_color", 96, {154, 157, 124, 167}},  // 122
+    {"texture_inclusion", "largest_stretch", 8, {}},  // 123
+    {"texture_inclusion", "inclusion_coverage", 1552, {125, 126, 114, 127, 128}},  // 124
+    {"texture_inclusion", "outermost_point_cell", 48, {126, 128}},  // 125
+    {"texture_inclusion", "times", 8, {}},  // 126
+    {"texture_inclusion", "Inclusion::is_open", 96, {123, 126, 128}},  // 127
+    {"texture_inclusion", "read_vec2", 8, {}},  // 128
+    {"texture_wood", "pxm::floor_integer", 8, {}},  // 129
+    {"texture_wood", "wood_color", 192, {154, 157, 132, 133, 163, 114, 136, 167}},  // 130
+    {"texture_wood", "ring_darkness", 48, {129}},  // 131
+    {"texture_wood", "board_darkness", 48, {134, 135}},  // 132
+    {"texture_wood", "share_in_stripes", 48, {137}},  // 133
+    {"texture_wood", "noise", 112, {129, 138}},  // 134
+    {"texture_wood", "rings_at", 48, {131, 134}},  // 135
+    {"texture_wood", "scramble", 8, {}},  // 136
+    {"texture_wood", "share_in_stripes (part)", 32, {129}},  // 137
+    {"texture_wood", "noise (part)", 16, {136}},  // 138
+    {"trace", "PixelStore::byte", 8, {}},  // 139
+    {"trace", "render_pixel", 688, {154, 98, 89, 90, 67, 142, 143, 5, 37, 166, 61, 52}},  // 140
+    {"trace", "pixel_program", 976, {139, 140, 88, 49}},  // 141
+    {"trace", "Tracer::shade", 128, {154, 157, 91, 56}},  // 142
+    {"trace", "Tracer::is_most", 8, {}},  // 143
+    {"trace_all", "PixelStore::byte", 8, {}},  // 144
+    {"trace_all", "Tracer::shade (part)", 256, {154, 157, 11, 107, 108, 91, 150, 56}},  // 145
+    {"trace_all", "render_pixel", 3424, {148, 149, 5}},  // 146
+    {"trace_all", "pixel_program", 976, {144, 146, 88, 148, 49}},  // 147
+    {"trace_all", "Cell::Cell", 8, {}},  // 148
+    {"trace_all", "Tracer::look_along", 128, {154, 90, 150, 151, 152, 153, 166}},  // 149
+    {"trace_all", "Tracer::meets_plane", 8, {89}},  // 150
+    {"trace_all", "Tracer::look_through_covers", 560, {98, 10, 148, 152, 153, 37, 166, 52}},  // 151
+    {"trace_all", "Tracer::shade", 160, {154, 145, 71}},  // 152
+    {"trace_all", "Tracer::is_most", 8, {}},  // 153
+    {"vectors", "add_scaled", 8, {}},  // 154
+    {"vectors", "read_affine", 96, {156, 157}},  // 155
+    {"vectors", "read_linear", 32, {157}},  // 156
+    {"vectors", "read_vector", 8, {}},  // 157
+    {"vectors", "transform_ray", 48, {159, 161}},  // 158
+    {"vectors", "transform_point", 8, {}},  // 159
+    {"vectors", "transform_normal", 64, {162}},  // 160
+    {"vectors", "transform_direction", 8, {}},  // 161
+    {"vectors", "dot", 8, {}},  // 162
+    {"vectors", "scale", 8, {}},  // 163
+    {"vectors", "rebase", 80, {154, 162, 167}},  // 164
+    {"vectors", "compose", 48, {161}},  // 165
+    {"vectors", "point_at", 8, {154}},  // 166
+    {"vectors", "subtract", 8, {}},  // 167
+    {"vectors", "normalize", 64, {162, 163}},  // 168
 };
 // clang-format on
 

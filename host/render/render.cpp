@@ -12,6 +12,7 @@
 #include "host/render/link.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
+#include "host/scene/words.hpp"
 #include "host/wide/wide_scene.hpp"
 
 namespace pxm::host {
@@ -39,7 +40,9 @@ struct IntersectChoice {
 
 /// What `auto` stands for: the wide engine wherever it applies.
 IntersectChoice choose_intersect(IntersectMethod asked, const std::string& why_not_wide) {
-    if (asked == IntersectMethod::heap) return {asked, "it was asked for"};
+    if (asked == IntersectMethod::heap || asked == IntersectMethod::fast) {
+        return {asked, "it was asked for"};
+    }
     if (!why_not_wide.empty()) return {IntersectMethod::heap, why_not_wide};
     return {IntersectMethod::wide, asked == IntersectMethod::wide
                                        ? "it was asked for"
@@ -63,7 +66,6 @@ Prepared prepare(const RenderRequest& request) {
     if (!diagnostics.has_errors()) {
         apply(request.overrides, prepared.scene);
         check_scene(prepared.scene, diagnostics);
-        check_supported(prepared.scene, diagnostics);
     }
     prepared.parse_seconds = clock.lap();
     if (!diagnostics.has_errors()) {
@@ -149,7 +151,7 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     statistics.numeric = name_of(choice.numeric);
     statistics.size = prepared.compiled.size;
     statistics.threads = request.threads;
-    statistics.intersect = intersect.method == IntersectMethod::wide ? "wide" : "heap";
+    statistics.intersect = word_of(intersect_words, intersect.method);
     statistics.intersect_because = intersect.because;
     statistics.rays = run.rays;
     statistics.scene_block_words = run.scene_block_words;

@@ -4,44 +4,15 @@
 #include <glm/geometric.hpp>
 
 #include "dsp_kernels/flatness.hpp"
+#include "dsp_kernels/floor_block.hpp"
 #include "host/fractal/lipschitz.hpp"
+#include "host/render/block_writer.hpp"
+#include "host/render/floor_block.hpp"
 #include "pxm/real.hpp"
 
 namespace pxm::host {
 
 namespace {
-
-/// Grows a block record by record and fills fields in by address.
-template <class Real>
-class BlockWriter {
-  public:
-    /// Room for so many words; returns their address.
-    std::uint32_t grow(std::size_t words) {
-        const auto address = static_cast<std::uint32_t>(words_.size());
-        words_.insert(words_.end(), words, 0U);
-        return address;
-    }
-    void integer(std::uint32_t address, std::uint32_t value) { words_[address] = value; }
-    void real(std::uint32_t address, double value) {
-        for (const std::uint32_t word : encode(from_double<Real>(value))) words_[address++] = word;
-    }
-    void vector(std::uint32_t address, const glm::dvec3& v) {
-        for (int i = 0; i < 3; ++i) real(address + static_cast<std::uint32_t>(i) * step, v[i]);
-    }
-    void linear(std::uint32_t address, const glm::dmat3& m) {
-        for (int i = 0; i < 3; ++i)
-            vector(address + static_cast<std::uint32_t>(3 * i) * step, m[i]);
-    }
-    void affine(std::uint32_t address, const Affine& map) {
-        linear(address, map.linear);
-        vector(address + 9 * step, map.translation);
-    }
-    std::vector<std::uint32_t> take() { return std::move(words_); }
-
-  private:
-    static constexpr std::uint32_t step = real_words<Real>;
-    std::vector<std::uint32_t> words_;
-};
 
 template <class Real>
 void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
@@ -55,6 +26,7 @@ void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.integer(Header::shading, static_cast<std::uint32_t>(scene.shading));
     block.integer(Header::projection, static_cast<std::uint32_t>(scene.camera.projection));
     block.integer(Header::cell_cap, scene.cell_cap);
+    block.integer(Header::method, static_cast<std::uint32_t>(scene.method));
     block.vector(Header::eye, {0, 0, 0});
     block.vector(Header::corner, scene.camera.corner);
     block.vector(Header::across, scene.camera.across);
@@ -234,6 +206,7 @@ std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
         object_address += Object::words;
     }
     write_lights(block, scene);
+    write_floor(block, scene);
     write_samples(block, scene);
     return block.take();
 }
@@ -243,6 +216,13 @@ std::uint32_t object_index(const std::vector<std::uint32_t>& block, std::uint32_
     using Header = kernels::HeaderRecord<real_words<Real>>;
     using Object = kernels::ObjectRecord<real_words<Real>>;
     return (address - block[Header::objects]) / Object::words;
+}
+
+template <class Real>
+std::uint32_t plane_index(const std::vector<std::uint32_t>& block, std::uint32_t address) {
+    using Header = kernels::HeaderRecord<real_words<Real>>;
+    using Plane = kernels::PlaneRecord<real_words<Real>>;
+    return (address - block[Header::planes]) / Plane::words;
 }
 
 std::uint64_t block_hash(const std::vector<std::uint32_t>& block) {
@@ -264,5 +244,8 @@ template std::vector<std::uint32_t> make_scene_block<double>(const CompiledScene
 template std::uint32_t object_index<dsp32::Float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t object_index<float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t object_index<double>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t plane_index<dsp32::Float>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t plane_index<float>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t plane_index<double>(const std::vector<std::uint32_t>&, std::uint32_t);
 
 }  // namespace pxm::host

@@ -110,6 +110,7 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (needs_covers(scene)) return "local covers and translucent objects are the clear kernels'";
     if (needs_shadows(scene)) return "shadows are the clear kernels'";
     if (needs_mirrors(scene)) return "mirrors are the clear kernels'";
+    if (!scene.planes.empty()) return "planes are the clear kernels'";
     if (scene.samples.size() > 1) return "several samples a pixel are the clear kernels'";
     for (const CompiledObject& object : scene.objects) {
         const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
@@ -117,6 +118,24 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
         if (!reason.empty()) return fmt::format("object \"{}\" {}", object.name, reason);
     }
     return "";
+}
+
+std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
+    const std::string reason = why_not_wide(scene, Numeric::single);
+    std::vector<ObjectMethod> methods;
+    for (const CompiledObject& object : scene.objects) {
+        const std::size_t maps = scene.shapes[static_cast<std::size_t>(object.shape)].maps.size();
+        if (!reason.empty()) {
+            methods.push_back({object.name, "heap", reason});
+        } else if (!has_fixed_direction(scene, object)) {
+            methods.push_back({object.name, "wide, composed maps", "maps that are no homotheties"});
+        } else if (maps * maps <= table_step) {
+            methods.push_back({object.name, "wide, grandchildren", "few maps, all homotheties"});
+        } else {
+            methods.push_back({object.name, "wide, children", "many maps, all homotheties"});
+        }
+    }
+    return methods;
 }
 
 WideScene make_wide_scene(const CompiledScene& scene) {

@@ -91,7 +91,7 @@ TEST(Mirror, pixels_grow_as_seen_from_the_mirrored_viewpoint) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
     const auto vector = [&] { return glm::dvec3{normal(random), normal(random), normal(random)}; };
-    NativeNode<double> node({}, 1, 1);
+    NativeNode<double> node({}, {}, 1, 1);
     const auto of = [](const glm::dvec3& v) { return kernels::Vec3<double>{v.x, v.y, v.z}; };
     const auto to = [](const kernels::Vec3<double>& v) { return glm::dvec3{v.x, v.y, v.z}; };
     for (int i = 0; i < 200; ++i) {
