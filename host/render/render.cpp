@@ -12,6 +12,7 @@
 #include "host/render/link.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
+#include "host/scene/words.hpp"
 #include "host/wide/wide_scene.hpp"
 
 namespace pxm::host {
@@ -113,19 +114,6 @@ const char* name_of(Numeric numeric) {
     return "";
 }
 
-const char* name_of(IntersectMethod method) {
-    switch (method) {
-        case IntersectMethod::wide:
-            return "wide";
-        case IntersectMethod::fast:
-            return "fast";
-        case IntersectMethod::heap:
-        case IntersectMethod::automatic:
-            break;
-    }
-    return "heap";
-}
-
 }  // namespace
 
 RenderResult render(const RenderRequest& request, const RunControl& control) {
@@ -163,7 +151,7 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     statistics.numeric = name_of(choice.numeric);
     statistics.size = prepared.compiled.size;
     statistics.threads = request.threads;
-    statistics.intersect = name_of(intersect.method);
+    statistics.intersect = word_of(intersect_words, intersect.method);
     statistics.intersect_because = intersect.because;
     statistics.rays = run.rays;
     statistics.scene_block_words = run.scene_block_words;

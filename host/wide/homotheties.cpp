@@ -121,7 +121,7 @@ void tabulate(WideScene& scene, int index) {
     }
     WideSet& set = scene.sets[static_cast<std::size_t>(index)];
     set.children = std::move(children);
-    if (pairs > table_step) return;
+    if (pairs == 0 || pairs > table_step) return;
     HomothetyTable both = empty_table(pairs, 2);
     both.least_skipped = static_cast<float>(std::ranges::min(outer, {}, &Step::diameter).diameter);
     for (const Step& first : outer) {

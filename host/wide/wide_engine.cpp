@@ -31,7 +31,7 @@ class TileRenderer {
           wide_(wide),
           block_(block),
           frame_(frame),
-          node_(block, {}, scene.heap, sizeof(kernels::Cell<double>)),
+          node_(block, scene.texture_words, scene.heap, sizeof(kernels::Cell<double>)),
           heap_(node_),
           constants_(kernels::read_frame_constants(node_)) {
         int widest = table_step;

@@ -124,6 +124,24 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     return "";
 }
 
+std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
+    const std::string reason = why_not_wide(scene, Numeric::single);
+    std::vector<ObjectMethod> methods;
+    for (const CompiledObject& object : scene.objects) {
+        const std::size_t maps = scene.shapes[static_cast<std::size_t>(object.shape)].maps.size();
+        if (!reason.empty()) {
+            methods.push_back({object.name, "heap", reason});
+        } else if (!has_fixed_direction(scene, object)) {
+            methods.push_back({object.name, "wide, composed maps", "maps that are no homotheties"});
+        } else if (maps * maps <= table_step) {
+            methods.push_back({object.name, "wide, grandchildren", "few maps, all homotheties"});
+        } else {
+            methods.push_back({object.name, "wide, children", "many maps, all homotheties"});
+        }
+    }
+    return methods;
+}
+
 WideScene make_wide_scene(const CompiledScene& scene) {
     WideScene wide;
     wide.camera = scene.camera;

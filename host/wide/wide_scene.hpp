@@ -118,6 +118,14 @@ struct WideScene {
 /// Why this scene cannot be rendered by the wide engine; empty if it can.
 [[nodiscard]] std::string why_not_wide(const CompiledScene& scene, Numeric numeric);
 
+/// How the first cells of one object are found in native renders in float.
+struct ObjectMethod {
+    std::string object;
+    std::string method;
+    std::string because;
+};
+[[nodiscard]] std::vector<ObjectMethod> object_methods(const CompiledScene& scene);
+
 /// Precondition: why_not_wide() is empty.
 [[nodiscard]] WideScene make_wide_scene(const CompiledScene& scene);
 
