@@ -67,11 +67,18 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
     take("orthographic", !perspective, "an orthographic camera", "a perspective camera");
     take("intersect", true, "every ray looks for a cell", "");
     take("heap", true, "where intersect keeps cells", "");
+    take("intersect_fast", scene.method == kernels::Method::fast, "intersect: fast",
+         "intersect: heap");
     take("descend", objects, "ifs objects", "no objects");
     take("next_after", objects, "a heap may overflow", "no objects");
     take("sphere", any_volume(scene, kernels::Volume::sphere), "bounding spheres",
          "no bounding sphere");
     take("box", any_volume(scene, kernels::Volume::box), "bounding boxes", "no bounding box");
+    take("oriented", any_volume(scene, kernels::Volume::oriented),
+         "bounding boxes in axes of their own", "no box in axes of its own");
+    take("hull", any_volume(scene, kernels::Volume::hull), "bounding hulls", "no bounding hull");
+    take("cone", any_volume(scene, kernels::Volume::cone), "cones", "no cone");
+    take("cylinder", any_volume(scene, kernels::Volume::cylinder), "cylinders", "no cylinder");
     take("polar", polar, "maps that are no similitudes, or lipschitz: polar",
          "Lipschitz constants by product or determinant");
     take("flatness", lifted, "lifted singular maps", "no singular map");

@@ -10,23 +10,28 @@ const std::string_view module_table_compiler = "g++ 12.2.0 x86-64";
 
 const std::vector<MeasuredModule> module_table{
     // name, program, read-only data, other data; bytes
-    {"box", 811, 36, 0},
+    {"box", 844, 28, 0},
     {"camera", 294, 0, 0},
-    {"covers", 4198, 28, 0},
-    {"descend", 1144, 4, 0},
+    {"cone", 1002, 28, 0},
+    {"covers", 4030, 12, 0},
+    {"cylinder", 842, 28, 0},
+    {"descend", 1244, 52, 0},
     {"flatness", 959, 24, 0},
     {"heap", 998, 0, 0},
+    {"hull", 758, 12, 0},
     {"illuminate", 20, 0, 0},
     {"intersect", 776, 0, 0},
+    {"intersect_fast", 2777, 20, 0},
     {"mirror", 221, 16, 0},
     {"next_after", 1244, 4, 0},
+    {"oriented", 1069, 32, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 139, 0, 0},
+    {"pixel_program", 145, 0, 0},
     {"plane", 658, 16, 0},
     {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
-    {"shade", 1759, 20, 0},
+    {"shade", 1801, 68, 0},
     {"shadow", 83, 0, 0},
     {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
@@ -34,155 +39,182 @@ const std::vector<MeasuredModule> module_table{
     {"texture_image", 944, 12, 0},
     {"texture_inclusion", 1687, 28, 0},
     {"texture_wood", 2419, 120, 0},
-    {"trace", 2106, 16, 0},
-    {"trace_all", 3158, 24, 0},
+    {"trace", 2146, 20, 0},
+    {"trace_all", 3201, 24, 0},
     {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {130, 3}},  // 0
+    {"box", "box_normal", 128, {157, 2, 4}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {130, 1}},  // 2
-    {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {127, 130, 60, 59}},  // 4
-    {"covers", "next_after", 432, {13, 42, 25, 55, 56, 57, 28, 44, 17}},  // 5
-    {"covers", "covers_along", 768, {46, 5, 13, 44, 14, 18}},  // 6
-    {"covers", "covers_along", 768, {46, 5, 13, 44, 15, 19}},  // 7
-    {"covers", "volume_gauge", 96, {130, 135, 140}},  // 8
-    {"covers", "MissedChildren::shown", 8, {}},  // 9
-    {"covers", "MissedChildren::missed", 48, {8, 21, 69, 27}},  // 10
-    {"covers", "shrunk_for_covers", 96, {127, 130, 136, 29, 140}},  // 11
-    {"covers", "push_children_and_cover", 480, {20, 9, 10, 69, 13, 35, 24, 27}},  // 12
-    {"covers", "Cell::Cell", 8, {}},  // 13
-    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 16, 18}},  // 14
-    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 19}},  // 15
-    {"covers", "CollectCovers::operator", 32, {44}},  // 16
-    {"covers", "CoverRule::operator", 464, {20, 21, 9, 10, 13, 24, 29}},  // 17
-    {"covers", "CoverWalk::tell", 32, {42, 16}},  // 18
-    {"covers", "CoverWalk::tell", 32, {42}},  // 19
-    {"descend", "child_cell", 144, {128, 131, 31}},  // 20
-    {"descend", "cell_diameter", 32, {70}},  // 21
-    {"descend", "outermost_cell", 176, {128, 129, 131, 27}},  // 22
-    {"descend", "intersect_volume", 8, {2, 83}},  // 23
-    {"descend", "meet", 112, {23, 11, 26}},  // 24
-    {"descend", "ending", 48, {21, 29}},  // 25
-    {"descend", "approach", 80, {130, 137}},  // 26
-    {"descend", "is_polar", 8, {}},  // 27
-    {"descend", "map_from", 8, {}},  // 28
-    {"descend", "pixel_at", 8, {}},  // 29
-    {"flatness", "undo_squash", 80, {127, 135, 140}},  // 30
-    {"flatness", "keep_thickness", 208, {129, 130, 30, 134, 135, 27, 29, 141}},  // 31
-    {"heap", "cell_words", 8, {}},  // 32
-    {"heap", "Heap::pop", 16, {36, 38, 40}},  // 33
-    {"heap", "Heap::keep", 8, {43}},  // 34
-    {"heap", "Heap::push", 80, {34, 37, 39, 42, 43}},  // 35
-    {"heap", "Heap::swap", 8, {}},  // 36
-    {"heap", "Heap::entry", 8, {}},  // 37
-    {"heap", "Heap::fetch", 8, {43}},  // 38
-    {"heap", "Heap::sift_up", 48, {36, 37, 42}},  // 39
-    {"heap", "Heap::sift_down", 80, {36, 37, 42}},  // 40
-    {"heap", "Heap::Heap", 8, {}},  // 41
-    {"heap", "before", 8, {}},  // 42
-    {"heap", "copy_cell", 32, {32}},  // 43
-    {"heap", "move_cell", 8, {43}},  // 44
-    {"illuminate", "facing", 16, {135}},  // 45
-    {"intersect", "count_heap", 8, {}},  // 46
-    {"intersect", "push_objects", 384, {22, 49, 35, 24}},  // 47
-    {"intersect", "push_children", 416, {20, 69, 49, 35, 24, 27}},  // 48
-    {"intersect", "Cell::Cell", 8, {}},  // 49
-    {"intersect", "intersect", 112, {46, 52, 47, 48, 49, 33, 25}},  // 50
-    {"mirror", "mirrored", 112, {127, 135, 141}},  // 51
-    {"next_after", "next_after", 432, {53, 42, 25, 55, 56, 57, 28, 44}},  // 52
-    {"next_after", "Cell::Cell", 8, {}},  // 53
-    {"next_after", "CellPath::make_again", 688, {20, 69, 53, 38, 24, 27, 28, 44, 58}},  // 54
-    {"next_after", "CellPath::up", 48, {38, 54, 58}},  // 55
-    {"next_after", "CellPath::down", 368, {20, 69, 53, 34, 24, 27, 44}},  // 56
-    {"next_after", "CellPath::start", 32, {22, 24}},  // 57
-    {"next_after", "CellWord::get", 8, {}},  // 58
-    {"orthographic", "orthographic_ray", 32, {127, 130}},  // 59
-    {"perspective", "perspective_ray", 16, {141}},  // 60
-    {"pixel_program", "read_frame_constants", 32, {130}},  // 61
-    {"plane", "nearest_plane", 96, {130, 135}},  // 62
-    {"plane", "plane_surface", 144, {85, 130, 135, 139, 88}},  // 63
-    {"point_light", "facing_point_light", 944, {20, 72, 129, 130, 69, 22, 23, 74, 65, 66, 76, 136, 45, 138, 26, 27, 28, 44, 67}},  // 64
-    {"point_light", "direction_to_point_light", 80, {140, 141}},  // 65
-    {"point_light", "Cell::Cell", 8, {}},  // 66
-    {"point_light", "AddPointLight::operator", 96, {21, 65, 45, 77, 139}},  // 67
-    {"polar", "jacobi_rotate", 8, {}},  // 68
-    {"polar", "complete_child", 144, {129, 138}},  // 69
-    {"polar", "largest_singular_value", 128, {68, 135, 136}},  // 70
-    {"shade", "surface_at", 112, {74, 76, 141, 78}},  // 71
-    {"shade", "cell_normal", 96, {73, 133, 141}},  // 72
-    {"shade", "volume_normal", 8, {0, 82}},  // 73
-    {"shade", "outermost_diameter", 352, {21, 22, 75}},  // 74
-    {"shade", "Cell::Cell", 8, {}},  // 75
-    {"shade", "blend", 112, {127, 130, 136}},  // 76
-    {"shade", "PathSum::add", 48, {127}},  // 77
-    {"shade", "walk_path", 896, {20, 72, 129, 130, 69, 22, 23, 75, 76, 138, 26, 27, 28, 44, 79}},  // 78
-    {"shade", "AddNormal::operator", 48, {21, 77}},  // 79
-    {"shadow", "search_to_light", 8, {}},  // 80
-    {"shadow_point", "search_from_light", 80, {135, 140, 141}},  // 81
-    {"sphere", "sphere_normal", 96, {127, 130, 140}},  // 82
-    {"sphere", "intersect_sphere", 112, {130, 135, 140}},  // 83
-    {"texture", "in_repeats", 48, {135}},  // 84
-    {"texture", "layer_color", 192, {127, 84, 130, 86, 140}},  // 85
-    {"texture", "texture_color", 48, {103, 91, 130, 95, 89}},  // 86
-    {"texture", "place_of", 8, {}},  // 87
-    {"texture", "footprint", 96, {127, 135, 136, 141}},  // 88
-    {"texture", "is_beyond (part)", 8, {}},  // 89
-    {"texture_image", "neighbours", 8, {}},  // 90
-    {"texture_image", "image_color", 128, {92, 93, 136, 87}},  // 91
-    {"texture_image", "image_level", 208, {90, 93, 94}},  // 92
-    {"texture_image", "mix", 96, {127, 140}},  // 93
-    {"texture_image", "texel", 8, {}},  // 94
-    {"texture_inclusion", "inclusion_color", 96, {127, 130, 97, 140}},  // 95
-    {"texture_inclusion", "largest_stretch", 8, {}},  // 96
-    {"texture_inclusion", "inclusion_coverage", 1552, {98, 99, 87, 100, 101}},  // 97
-    {"texture_inclusion", "outermost_point_cell", 48, {99, 101}},  // 98
-    {"texture_inclusion", "times", 8, {}},  // 99
-    {"texture_inclusion", "Inclusion::is_open", 96, {96, 99, 101}},  // 100
-    {"texture_inclusion", "read_vec2", 8, {}},  // 101
-    {"texture_wood", "pxm::floor_integer", 8, {}},  // 102
-    {"texture_wood", "wood_color", 192, {127, 130, 105, 106, 136, 87, 109, 140}},  // 103
-    {"texture_wood", "ring_darkness", 48, {102}},  // 104
-    {"texture_wood", "board_darkness", 48, {107, 108}},  // 105
-    {"texture_wood", "share_in_stripes", 48, {110}},  // 106
-    {"texture_wood", "noise", 112, {102, 111}},  // 107
-    {"texture_wood", "rings_at", 48, {104, 107}},  // 108
-    {"texture_wood", "scramble", 8, {}},  // 109
-    {"texture_wood", "share_in_stripes (part)", 32, {102}},  // 110
-    {"texture_wood", "noise (part)", 16, {109}},  // 111
-    {"trace", "PixelStore::byte", 8, {}},  // 112
-    {"trace", "render_pixel", 672, {127, 71, 62, 63, 115, 116, 4, 29, 139, 50, 44}},  // 113
-    {"trace", "pixel_program", 960, {112, 113, 61, 41}},  // 114
-    {"trace", "Tracer::shade", 128, {127, 130, 64, 45}},  // 115
-    {"trace", "Tracer::is_most", 8, {}},  // 116
-    {"trace_all", "PixelStore::byte", 8, {}},  // 117
-    {"trace_all", "Tracer::shade (part)", 256, {127, 130, 7, 80, 81, 64, 123, 45}},  // 118
-    {"trace_all", "render_pixel", 3392, {121, 122, 4}},  // 119
-    {"trace_all", "pixel_program", 960, {117, 119, 61, 121, 41}},  // 120
-    {"trace_all", "Cell::Cell", 8, {}},  // 121
-    {"trace_all", "Tracer::look_along", 128, {127, 63, 123, 124, 125, 126, 139}},  // 122
-    {"trace_all", "Tracer::meets_plane", 8, {62}},  // 123
-    {"trace_all", "Tracer::look_through_covers", 560, {71, 6, 121, 125, 126, 29, 139, 44}},  // 124
-    {"trace_all", "Tracer::shade", 144, {127, 118, 51}},  // 125
-    {"trace_all", "Tracer::is_most", 8, {}},  // 126
-    {"vectors", "add_scaled", 8, {}},  // 127
-    {"vectors", "read_affine", 96, {129, 130}},  // 128
-    {"vectors", "read_linear", 32, {130}},  // 129
-    {"vectors", "read_vector", 8, {}},  // 130
-    {"vectors", "transform_ray", 48, {132, 134}},  // 131
-    {"vectors", "transform_point", 8, {}},  // 132
-    {"vectors", "transform_normal", 64, {135}},  // 133
-    {"vectors", "transform_direction", 8, {}},  // 134
-    {"vectors", "dot", 8, {}},  // 135
-    {"vectors", "scale", 8, {}},  // 136
-    {"vectors", "rebase", 80, {127, 135, 140}},  // 137
-    {"vectors", "compose", 48, {134}},  // 138
-    {"vectors", "point_at", 8, {127}},  // 139
-    {"vectors", "subtract", 8, {}},  // 140
-    {"vectors", "normalize", 64, {135, 136}},  // 141
+    {"box", "decisive_face", 8, {}},  // 2
+    {"box", "intersect_box", 112, {157, 1}},  // 3
+    {"box", "box_normal (part)", 8, {}},  // 4
+    {"camera", "eye_ray", 96, {154, 157, 87, 86}},  // 5
+    {"cone", "cone_normal", 128, {154, 157, 7, 162, 167}},  // 6
+    {"cone", "clip_to_mantle", 8, {}},  // 7
+    {"cone", "intersect_cone", 80, {157, 7, 167}},  // 8
+    {"covers", "next_after", 432, {16, 50, 33, 75, 76, 77, 36, 52, 21}},  // 9
+    {"covers", "covers_along", 768, {57, 9, 16, 52, 18, 22}},  // 10
+    {"covers", "covers_along", 768, {57, 9, 16, 52, 19, 23}},  // 11
+    {"covers", "MissedChildren::shown", 8, {}},  // 12
+    {"covers", "MissedChildren::missed", 80, {157, 29, 96, 162, 35, 167}},  // 13
+    {"covers", "shrunk_for_covers", 96, {154, 157, 163, 37, 167}},  // 14
+    {"covers", "push_children_and_cover", 480, {27, 12, 13, 96, 16, 43, 32, 35}},  // 15
+    {"covers", "Cell::Cell", 8, {}},  // 16
+    {"covers", "ending", 48, {28}},  // 17
+    {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 20, 22}},  // 18
+    {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 23}},  // 19
+    {"covers", "CollectCovers::operator", 32, {52}},  // 20
+    {"covers", "CoverRule::operator", 464, {27, 29, 12, 13, 16, 32, 37}},  // 21
+    {"covers", "CoverWalk::tell", 32, {50, 20}},  // 22
+    {"covers", "CoverWalk::tell", 32, {50}},  // 23
+    {"cylinder", "within_mantle", 8, {}},  // 24
+    {"cylinder", "cylinder_normal", 128, {154, 157, 24, 167}},  // 25
+    {"cylinder", "intersect_cylinder", 96, {157, 24, 167}},  // 26
+    {"descend", "child_cell", 144, {155, 158, 39}},  // 27
+    {"descend", "at_last_level", 8, {}},  // 28
+    {"descend", "cell_diameter", 32, {97}},  // 29
+    {"descend", "outermost_cell", 176, {155, 156, 158, 35}},  // 30
+    {"descend", "intersect_volume", 8, {3, 8, 55, 110, 26, 84}},  // 31
+    {"descend", "meet", 112, {28, 31, 14, 34}},  // 32
+    {"descend", "ending", 48, {28, 29, 37}},  // 33
+    {"descend", "approach", 80, {157, 164}},  // 34
+    {"descend", "is_polar", 8, {}},  // 35
+    {"descend", "map_from", 8, {}},  // 36
+    {"descend", "pixel_at", 8, {}},  // 37
+    {"flatness", "undo_squash", 80, {154, 162, 167}},  // 38
+    {"flatness", "keep_thickness", 208, {156, 157, 38, 161, 162, 35, 37, 168}},  // 39
+    {"heap", "cell_words", 8, {}},  // 40
+    {"heap", "Heap::pop", 16, {44, 46, 48}},  // 41
+    {"heap", "Heap::keep", 8, {51}},  // 42
+    {"heap", "Heap::push", 80, {42, 45, 47, 50, 51}},  // 43
+    {"heap", "Heap::swap", 8, {}},  // 44
+    {"heap", "Heap::entry", 8, {}},  // 45
+    {"heap", "Heap::fetch", 8, {51}},  // 46
+    {"heap", "Heap::sift_up", 48, {44, 45, 50}},  // 47
+    {"heap", "Heap::sift_down", 80, {44, 45, 50}},  // 48
+    {"heap", "Heap::Heap", 8, {}},  // 49
+    {"heap", "before", 8, {}},  // 50
+    {"heap", "copy_cell", 32, {40}},  // 51
+    {"heap", "move_cell", 8, {51}},  // 52
+    {"hull", "cross_plane", 80, {157, 162}},  // 53
+    {"hull", "hull_normal", 128, {53, 157, 167}},  // 54
+    {"hull", "intersect_hull", 112, {53, 157, 167}},  // 55
+    {"illuminate", "facing", 16, {162}},  // 56
+    {"intersect", "count_heap", 8, {}},  // 57
+    {"intersect", "push_objects", 384, {30, 60, 43, 32}},  // 58
+    {"intersect", "push_children", 416, {27, 96, 60, 43, 32, 35}},  // 59
+    {"intersect", "Cell::Cell", 8, {}},  // 60
+    {"intersect", "intersect", 112, {57, 72, 58, 59, 60, 41, 33}},  // 61
+    {"intersect_fast", "project_ray", 192, {155, 157, 158, 162, 164, 167, 168}},  // 62
+    {"intersect_fast", "include_point", 8, {}},  // 63
+    {"intersect_fast", "project_child", 128, {154, 157, 162, 167}},  // 64
+    {"intersect_fast", "search_object", 416, {62, 63, 66, 68, 69, 70}},  // 65
+    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 66
+    {"intersect_fast", "intersect_fast", 416, {65, 61}},  // 67
+    {"intersect_fast", "push_projected", 128, {157, 63, 64, 66}},  // 68
+    {"intersect_fast", "ending", 48, {37}},  // 69
+    {"intersect_fast", "as_cell", 128, {156, 163, 35}},  // 70
+    {"mirror", "mirrored", 112, {154, 162, 168}},  // 71
+    {"next_after", "next_after", 432, {73, 50, 33, 75, 76, 77, 36, 52}},  // 72
+    {"next_after", "Cell::Cell", 8, {}},  // 73
+    {"next_after", "CellPath::make_again", 688, {27, 96, 73, 46, 32, 35, 36, 52, 78}},  // 74
+    {"next_after", "CellPath::up", 48, {46, 74, 78}},  // 75
+    {"next_after", "CellPath::down", 368, {27, 96, 73, 42, 32, 35, 52}},  // 76
+    {"next_after", "CellPath::start", 32, {30, 32}},  // 77
+    {"next_after", "CellWord::get", 8, {}},  // 78
+    {"oriented", "along_axes", 64, {162}},  // 79
+    {"oriented", "clip_to_slab", 8, {}},  // 80
+    {"oriented", "decisive_face", 8, {}},  // 81
+    {"oriented", "oriented_normal", 128, {81, 83, 85}},  // 82
+    {"oriented", "to_oriented_box", 96, {79, 156, 157, 167}},  // 83
+    {"oriented", "intersect_oriented", 80, {80, 83}},  // 84
+    {"oriented", "oriented_normal (part)", 32, {157}},  // 85
+    {"orthographic", "orthographic_ray", 32, {154, 157}},  // 86
+    {"perspective", "perspective_ray", 16, {168}},  // 87
+    {"pixel_program", "read_frame_constants", 32, {157}},  // 88
+    {"plane", "nearest_plane", 96, {157, 162}},  // 89
+    {"plane", "plane_surface", 144, {112, 157, 162, 166, 115}},  // 90
+    {"point_light", "facing_point_light", 944, {27, 99, 156, 157, 96, 30, 31, 101, 92, 93, 103, 163, 56, 165, 34, 35, 36, 52, 94}},  // 91
+    {"point_light", "direction_to_point_light", 80, {167, 168}},  // 92
+    {"point_light", "Cell::Cell", 8, {}},  // 93
+    {"point_light", "AddPointLight::operator", 96, {29, 92, 56, 104, 166}},  // 94
+    {"polar", "jacobi_rotate", 8, {}},  // 95
+    {"polar", "complete_child", 144, {156, 165}},  // 96
+    {"polar", "largest_singular_value", 128, {95, 162, 163}},  // 97
+    {"shade", "surface_at", 112, {101, 103, 168, 105}},  // 98
+    {"shade", "cell_normal", 96, {100, 160, 168}},  // 99
+    {"shade", "volume_normal", 8, {0, 6, 54, 109, 25, 82}},  // 100
+    {"shade", "outermost_diameter", 352, {29, 30, 102}},  // 101
+    {"shade", "Cell::Cell", 8, {}},  // 102
+    {"shade", "blend", 112, {154, 157, 163}},  // 103
+    {"shade", "PathSum::add", 48, {154}},  // 104
+    {"shade", "walk_path", 896, {27, 99, 156, 157, 96, 30, 31, 102, 103, 165, 34, 35, 36, 52, 106}},  // 105
+    {"shade", "AddNormal::operator", 48, {29, 104}},  // 106
+    {"shadow", "search_to_light", 8, {}},  // 107
+    {"shadow_point", "search_from_light", 80, {162, 167, 168}},  // 108
+    {"sphere", "sphere_normal", 96, {154, 157, 167}},  // 109
+    {"sphere", "intersect_sphere", 112, {157, 162, 167}},  // 110
+    {"texture", "in_repeats", 48, {162}},  // 111
+    {"texture", "layer_color", 192, {154, 111, 157, 113, 167}},  // 112
+    {"texture", "texture_color", 48, {130, 118, 157, 122, 116}},  // 113
+    {"texture", "place_of", 8, {}},  // 114
+    {"texture", "footprint", 96, {154, 162, 163, 168}},  // 115
+    {"texture", "is_beyond (part)", 8, {}},  // 116
+    {"texture_image", "neighbours", 8, {}},  // 117
+    {"texture_image", "image_color", 128, {119, 120, 163, 114}},  // 118
+    {"texture_image", "image_level", 208, {117, 120, 121}},  // 119
+    {"texture_image", "mix", 96, {154, 167}},  // 120
+    {"texture_image", "texel", 8, {}},  // 121
+    {"texture_inclusion", "inclusion_color", 96, {154, 157, 124, 167}},  // 122
+    {"texture_inclusion", "largest_stretch", 8, {}},  // 123
+    {"texture_inclusion", "inclusion_coverage", 1552, {125, 126, 114, 127, 128}},  // 124
+    {"texture_inclusion", "outermost_point_cell", 48, {126, 128}},  // 125
+    {"texture_inclusion", "times", 8, {}},  // 126
+    {"texture_inclusion", "Inclusion::is_open", 96, {123, 126, 128}},  // 127
+    {"texture_inclusion", "read_vec2", 8, {}},  // 128
+    {"texture_wood", "pxm::floor_integer", 8, {}},  // 129
+    {"texture_wood", "wood_color", 192, {154, 157, 132, 133, 163, 114, 136, 167}},  // 130
+    {"texture_wood", "ring_darkness", 48, {129}},  // 131
+    {"texture_wood", "board_darkness", 48, {134, 135}},  // 132
+    {"texture_wood", "share_in_stripes", 48, {137}},  // 133
+    {"texture_wood", "noise", 112, {129, 138}},  // 134
+    {"texture_wood", "rings_at", 48, {131, 134}},  // 135
+    {"texture_wood", "scramble", 8, {}},  // 136
+    {"texture_wood", "share_in_stripes (part)", 32, {129}},  // 137
+    {"texture_wood", "noise (part)", 16, {136}},  // 138
+    {"trace", "PixelStore::byte", 8, {}},  // 139
+    {"trace", "render_pixel", 688, {154, 98, 89, 90, 67, 142, 143, 5, 37, 166, 61, 52}},  // 140
+    {"trace", "pixel_program", 976, {139, 140, 88, 49}},  // 141
+    {"trace", "Tracer::shade", 128, {154, 157, 91, 56}},  // 142
+    {"trace", "Tracer::is_most", 8, {}},  // 143
+    {"trace_all", "PixelStore::byte", 8, {}},  // 144
+    {"trace_all", "Tracer::shade (part)", 256, {154, 157, 11, 107, 108, 91, 150, 56}},  // 145
+    {"trace_all", "render_pixel", 3440, {148, 149, 5}},  // 146
+    {"trace_all", "pixel_program", 976, {144, 146, 88, 148, 49}},  // 147
+    {"trace_all", "Cell::Cell", 8, {}},  // 148
+    {"trace_all", "Tracer::look_along", 128, {154, 90, 150, 151, 152, 153, 166}},  // 149
+    {"trace_all", "Tracer::meets_plane", 8, {89}},  // 150
+    {"trace_all", "Tracer::look_through_covers", 560, {98, 10, 148, 152, 153, 37, 166, 52}},  // 151
+    {"trace_all", "Tracer::shade", 160, {154, 145, 71}},  // 152
+    {"trace_all", "Tracer::is_most", 8, {}},  // 153
+    {"vectors", "add_scaled", 8, {}},  // 154
+    {"vectors", "read_affine", 96, {156, 157}},  // 155
+    {"vectors", "read_linear", 32, {157}},  // 156
+    {"vectors", "read_vector", 8, {}},  // 157
+    {"vectors", "transform_ray", 48, {159, 161}},  // 158
+    {"vectors", "transform_point", 8, {}},  // 159
+    {"vectors", "transform_normal", 64, {162}},  // 160
+    {"vectors", "transform_direction", 8, {}},  // 161
+    {"vectors", "dot", 8, {}},  // 162
+    {"vectors", "scale", 8, {}},  // 163
+    {"vectors", "rebase", 80, {154, 162, 167}},  // 164
+    {"vectors", "compose", 48, {161}},  // 165
+    {"vectors", "point_at", 8, {154}},  // 166
+    {"vectors", "subtract", 8, {}},  // 167
+    {"vectors", "normalize", 64, {162, 163}},  // 168
 };
 // clang-format on
 

@@ -1,6 +1,7 @@
 #include "host/render/scene_block.hpp"
 
 #include <bit>
+#include <glm/geometric.hpp>
 
 #include "dsp_kernels/flatness.hpp"
 #include "dsp_kernels/floor_block.hpp"
@@ -25,6 +26,7 @@ void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.integer(Header::shading, static_cast<std::uint32_t>(scene.shading));
     block.integer(Header::projection, static_cast<std::uint32_t>(scene.camera.projection));
     block.integer(Header::cell_cap, scene.cell_cap);
+    block.integer(Header::method, static_cast<std::uint32_t>(scene.method));
     block.vector(Header::eye, {0, 0, 0});
     block.vector(Header::corner, scene.camera.corner);
     block.vector(Header::across, scene.camera.across);
@@ -44,6 +46,53 @@ std::uint32_t symbol_bits(std::size_t maps) {
     return maps < 3 ? 1 : static_cast<std::uint32_t>(std::bit_width(maps - 1));
 }
 
+/// Writes what the volume of the follow set at `address` is; may add a record of its own.
+template <class Real>
+void write_volume(BlockWriter<Real>& block, std::uint32_t address, const CompiledVolume& volume) {
+    constexpr std::uint32_t R = real_words<Real>;
+    using FollowSet = kernels::FollowSetRecord<R>;
+    block.integer(address + FollowSet::volume, static_cast<std::uint32_t>(volume.kind));
+    block.vector(address + FollowSet::center, volume.center);
+    block.real(address + FollowSet::diameter, volume.diameter);
+    switch (volume.kind) {
+        case kernels::Volume::sphere:
+        case kernels::Volume::cone:
+        case kernels::Volume::cylinder:
+            block.real(address + FollowSet::radius, volume.radius);
+            return;
+        case kernels::Volume::box:
+            block.vector(address + FollowSet::low, volume.low);
+            block.vector(address + FollowSet::high, volume.high);
+            return;
+        case kernels::Volume::oriented: {
+            const std::uint32_t shape = block.grow(kernels::OrientedRecord<R>::words);
+            block.integer(address + FollowSet::shape, shape);
+            std::uint32_t axis = shape + kernels::OrientedRecord<R>::axes;
+            for (const glm::dvec3& half : volume.half) {
+                block.vector(axis, half / glm::dot(half, half));
+                axis += 3 * R;
+            }
+            return;
+        }
+        case kernels::Volume::hull: {
+            using HalfSpaceOf = kernels::HalfSpaceRecord<R>;
+            const std::size_t count = volume.half_spaces.size();
+            const std::uint32_t shape =
+                block.grow(kernels::HullRecord<R>::words + count * HalfSpaceOf::words);
+            block.integer(address + FollowSet::shape, shape);
+            block.integer(shape + kernels::HullRecord<R>::count, static_cast<std::uint32_t>(count));
+            std::uint32_t plane = shape + kernels::HullRecord<R>::half_spaces;
+            for (const HalfSpace& side : volume.half_spaces) {
+                block.vector(plane + HalfSpaceOf::normal, side.normal);
+                block.real(plane + HalfSpaceOf::offset,
+                           side.offset - glm::dot(side.normal, volume.center));
+                plane += HalfSpaceOf::words;
+            }
+            return;
+        }
+    }
+}
+
 /// Writes a shape's maps and follow sets; returns the address of its start set.
 template <class Real>
 std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) {
@@ -54,17 +103,8 @@ std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) 
     for (const CompiledSet& set : shape.sets) {
         const std::uint32_t address = block.grow(FollowSet::words + set.maps.size());
         sets.push_back(address);
-        const CompiledVolume& volume = set.volume;
-        block.integer(address + FollowSet::volume, static_cast<std::uint32_t>(volume.kind));
         block.integer(address + FollowSet::map_count, static_cast<std::uint32_t>(set.maps.size()));
-        block.vector(address + FollowSet::center, volume.center);
-        if (volume.kind == kernels::Volume::sphere) {
-            block.real(address + FollowSet::radius, volume.radius);
-        } else {
-            block.vector(address + FollowSet::low, volume.low);
-            block.vector(address + FollowSet::high, volume.high);
-        }
-        block.real(address + FollowSet::diameter, volume.diameter);
+        write_volume(block, address, set.volume);
         std::uint32_t entry = address + FollowSet::maps;
         for (const int map : set.maps) {
             block.integer(entry++, maps + static_cast<std::uint32_t>(map) * Map::words);
