@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/output/cost_model_json.hpp"
+#include "host/render/alarms.hpp"
 #include "host/render/link.hpp"
 #include "host/scene/scene.hpp"
 
@@ -75,6 +76,7 @@ struct Statistics {
     int threads = 1;
     PhaseSeconds seconds;
     RayStatistics rays;
+    std::vector<Alarm> alarms;
     std::uint64_t scene_block_words = 0;
     std::uint64_t scene_block_hash = 0;
     NodeProgram program;
