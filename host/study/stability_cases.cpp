@@ -67,11 +67,13 @@ std::string squashed(double ratio, double unit) {
 
 std::string sheared(double amount, double unit) {
     const auto one = [&](double x, double y, double z) {
-        return fmt::format("    newmap matrix: 0.4,{},0, 0,0.4,0, 0,{},0.4, {},{},{}\n", amount,
+        return fmt::format("    newmap matrix: 0.5,{},0, 0,0.5,0, 0,{},0.5, {},{},{}\n", amount,
                            amount, x * unit, y * unit, z * unit);
     };
-    return simple(one(0, 0.5, 0) + one(0.5, 0, 0) + one(-0.4, 0, 0.3), unit,
-                  {2, 3, -8, 0, 0, 0, "fov: 50"});
+    const double away = 1 + 3 * amount;
+    return simple(one(0, 0.5, 0) + one(0, -0.166, -0.472) + one(0.409, -0.166, 0.236) +
+                      one(-0.409, -0.166, 0.236),
+                  unit, {1.2 * away, 1.5 * away, -3 * away, 0, 0, 0, "fov: 40"});
 }
 
 std::string placed(double scale, double offset, double unit) {
@@ -117,8 +119,9 @@ std::string chained(int length, double unit) {
         rules += fmt::format("    follow: {} -> {},{},{},{}\n", length + k, length + 1, length + 2,
                              length + 3, length + 4);
     const double small = std::pow(0.9, length);
+    const double height = 0.5 * (1 - small);  // of what the chain leads to
     return simple(maps + rules + "    start: 1\n", unit,
-                  {1.2 * small, 0.4 + 1.5 * small, -3 * small, 0, 0.4, 0, "fov: 60"});
+                  {1.2 * small, height + 1.5 * small, -3 * small, 0, height, 0, "fov: 60"});
 }
 
 /// Norms of 1.5 in turn with 0.2: only products contract.
@@ -167,7 +170,7 @@ std::vector<StabilityCase> stability_cases() {
         return simple(corners("scale: 0.5", u), u, {0.15, 0.2, 0.05, 0, 0.5, 0, "fov: 80"});
     });
     t.add("eye on the attractor", {1}, [](double, double u) {
-        return simple(corners("scale: 0.5", u), u, {0, 1, 0, 0, 0, 0, "fov: 80"});
+        return simple(corners("scale: 0.5", u), u, {0, 1, 0, 0.3, 0, 0.2, "fov: 80"});
     });
     t.add("rays along faces", {1}, [](double, double u) {
         return simple(corners("scale: 0.5", u), u,
