@@ -64,14 +64,10 @@ class MissedChildren {
         if (widest_ < diameter_ * node_.shape_real(map + Map::least)) return;
         node_.tally(Operation::compare_branch, 2);
         if (child.ray.base < search_.start || search_.end < child.ray.base) return;
-        const Real times = volume_gauge(node_, child.ray.origin, child.follow_set);
-        node_.tally(Operation::compare_branch, 1);
-        if (times < Real(1)) return;  // a part of its volume that sticks out of the parent's
         if (is_polar(node_, cell_.object)) complete_child(node_, cell_, map, child);
         const Real child_diameter = cell_diameter(node_, child);
-        node_.tally(Operation::multiply_add, 1);
         node_.tally(Operation::compare_branch, 1);
-        const Real between = times * child_diameter;
+        const Real between = growth(child) * child_diameter;
         if (!(between < missed_.diameter)) return;
         missed_.diameter = between;
         missed_.map = map;
@@ -95,6 +91,22 @@ class MissedChildren {
     }
 
   private:
+    /// How many times the ball of the child's diameter about its centre must grow to reach the ray,
+    /// at least 1.
+    [[nodiscard]] Real growth(const Cell<Real>& child) noexcept {
+        using FollowSet = FollowSetRecord<real_words<Real>>;
+        const Vec3<Real> from_center = subtract(
+            node_, child.ray.origin, read_vector(node_, child.follow_set + FollowSet::center));
+        node_.tally(Operation::square_root, 1);
+        node_.tally(Operation::divide, 1);
+        node_.tally(Operation::multiply_add, 1);
+        node_.tally(Operation::select, 1);
+        const Real distance = square_root(dot(node_, from_center, from_center));
+        const Real times =
+            (distance + distance) / node_.shape_real(child.follow_set + FollowSet::diameter);
+        return times < Real(1) ? Real(1) : times;
+    }
+
     Node& node_;
     const Search<Real>& search_;
     const Cell<Real>& cell_;

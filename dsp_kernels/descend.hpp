@@ -49,6 +49,13 @@ template <NodeLike Node, class Real = typename Node::Real>
             cell.ray.base};
 }
 
+/// Whether an object stops at this cell whatever its size.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] bool at_last_level(Node& node, const Cell<Real>& cell) noexcept {
+    node.tally(Operation::integer, 2);
+    return cell.level == node.shape_word(cell.object + ObjectRecord<real_words<Real>>::levels);
+}
+
 /// The part of the whole line that lies in the cell's volume, for a ray that approached it.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] std::optional<Interval<Real>> intersect_cell(Node& node, const Search<Real>& search,
@@ -56,7 +63,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     using FollowSet = FollowSetRecord<real_words<Real>>;
     const auto kind = static_cast<Volume>(node.shape_word(cell.follow_set + FollowSet::volume));
     node.tally(Operation::integer, 1);
-    if (kind == Volume::sphere || !has_covers(node, search)) {
+    if (kind == Volume::sphere || !has_covers(node, search) || at_last_level(node, cell)) {
         return intersect_volume(node, cell.ray, cell.follow_set);
     }
     return intersect_volume(node, shrunk_for_covers(node, search, cell), cell.follow_set);
@@ -163,9 +170,8 @@ enum class Ending { goes_on, terminal, word_full };
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Ending ending(Node& node, const Search<Real>& search, const Cell<Real>& cell,
                             Real diameter, Real pixel) noexcept {
-    using Object = ObjectRecord<real_words<Real>>;
-    node.tally(Operation::integer, 4);
-    if (cell.level == node.shape_word(cell.object + Object::levels)) return Ending::terminal;
+    node.tally(Operation::integer, 2);
+    if (at_last_level(node, cell)) return Ending::terminal;
     node.tally(Operation::multiply_add, 1);
     node.tally(Operation::compare_branch, 1);
     if (!(search.detail * pixel < diameter)) return Ending::terminal;

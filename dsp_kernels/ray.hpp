@@ -6,6 +6,10 @@
 
 namespace pxm::kernels {
 
+/// Farther than anything in a scene, in scene units.
+template <class Real>
+inline constexpr Real far_away = from_double<Real>(1e30);
+
 /// The points origin + (t - base) direction. In the world the direction is a unit vector, so t is a
 /// distance; affine maps keep t (Eq. 12.5). `base` moves with the origin when a ray is re-based
 /// near a cell: small numbers near the cell keep the digits that a far origin would lose.

@@ -23,8 +23,9 @@ struct Record {
 
 enum class ShadingMode : std::uint32_t { constant, low_pass, high_pass, facet };
 enum class Projection : std::uint32_t { perspective, orthographic };
-enum class Volume : std::uint32_t { sphere, box };
+enum class Volume : std::uint32_t { sphere, box, oriented, hull, cone, cylinder };
 enum class Lipschitz : std::uint32_t { product, determinant, polar };
+enum class Method : std::uint32_t { heap, fast };  // of intersection: Alg. 12.4, Ch. 13
 enum class LightKind : std::uint32_t { directional, point };
 
 inline constexpr std::uint32_t unlimited_levels = 0xFFFF'FFFF;
@@ -32,8 +33,8 @@ inline constexpr std::uint32_t unlimited_levels = 0xFFFF'FFFF;
 /// At address 0. An eye ray of pixel (x, y) goes through corner + (x + u) across + (y + v) down,
 /// with the place (u, v) of its sample in the pixel.
 template <std::uint32_t R>
-struct HeaderRecord : Record<R, 16, 26> {
-    using Base = Record<R, 16, 26>;
+struct HeaderRecord : Record<R, 19, 26> {
+    using Base = Record<R, 19, 26>;
     // integers
     static constexpr std::uint32_t width = Base::integer(0);
     static constexpr std::uint32_t height = Base::integer(1);
@@ -49,6 +50,9 @@ struct HeaderRecord : Record<R, 16, 26> {
     static constexpr std::uint32_t sample_count = Base::integer(14);  // eye rays of a pixel
     static constexpr std::uint32_t samples = Base::integer(15);  // address of their places: x, y in
                                                                  // [0,1) of the pixel, two numbers
+    static constexpr std::uint32_t plane_count = Base::integer(16);
+    static constexpr std::uint32_t planes = Base::integer(17);  // address of the first record
+    static constexpr std::uint32_t method = Base::integer(18);
     // numbers
     static constexpr std::uint32_t eye = Base::real(0);
     static constexpr std::uint32_t corner = Base::real(3);
@@ -84,18 +88,41 @@ struct ObjectRecord : Record<R, 5, 29> {
 };
 
 /// What may stand inside a map: its bounding volume and the maps that may come next.
-/// The addresses of the maps follow the record, in the order of the maps.
+/// The addresses of the maps follow the record, in the order of the maps. What an oriented box or a
+/// hull needs besides its centre lies at an address of its own.
 template <std::uint32_t R>
 struct FollowSetRecord : Record<R, 3, 10> {
     using Base = Record<R, 3, 10>;
     static constexpr std::uint32_t volume = Base::integer(0);
     static constexpr std::uint32_t map_count = Base::integer(1);
-    static constexpr std::uint32_t center = Base::real(0);  // rays are re-based to here
-    static constexpr std::uint32_t radius = Base::real(3);  // of a sphere
-    static constexpr std::uint32_t low = Base::real(3);     // corners of a box
+    static constexpr std::uint32_t shape = Base::integer(2);  // OrientedRecord or HullRecord
+    static constexpr std::uint32_t center = Base::real(0);    // rays are re-based to here
+    static constexpr std::uint32_t radius = Base::real(3);    // of a sphere, cone or cylinder
+    static constexpr std::uint32_t low = Base::real(3);       // corners of a box
     static constexpr std::uint32_t high = Base::real(6);
     static constexpr std::uint32_t diameter = Base::real(9);
     static constexpr std::uint32_t maps = Base::words;
+};
+
+/// An oriented box: the points x with |axis . (x - center)| <= 1 for each of its three axes.
+template <std::uint32_t R>
+struct OrientedRecord : Record<R, 0, 9> {
+    static constexpr std::uint32_t axes = Record<R, 0, 9>::real(0);
+};
+
+/// A hull. Its half-spaces follow the record.
+template <std::uint32_t R>
+struct HullRecord : Record<R, 1, 0> {
+    static constexpr std::uint32_t count = Record<R, 1, 0>::integer(0);
+    static constexpr std::uint32_t half_spaces = Record<R, 1, 0>::words;
+};
+
+/// The points x with normal . (x - center) <= offset.
+template <std::uint32_t R>
+struct HalfSpaceRecord : Record<R, 0, 4> {
+    using Base = Record<R, 0, 4>;
+    static constexpr std::uint32_t normal = Base::real(0);
+    static constexpr std::uint32_t offset = Base::real(3);
 };
 
 /// One map of a system.

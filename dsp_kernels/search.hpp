@@ -8,10 +8,6 @@
 
 namespace pxm::kernels {
 
-/// Farther than anything in a scene, in scene units.
-template <class Real>
-inline constexpr Real far_away = from_double<Real>(1e30);
-
 /// A search: a ray, the part of it that counts, the size of a pixel along it, and when to stop.
 template <class Real>
 struct Search {
@@ -22,6 +18,7 @@ struct Search {
     Real detail;             // a cell is terminal at `detail` pixels: tau_min of local covers
     Real fade;               // a cell begins to show at `fade` pixels: tau_max of local covers
     std::uint32_t cell_cap;  // most cells tested for one ray
+    Method method;
 };
 
 /// Whether the cell's composed linear part is needed for its diameter.

@@ -6,8 +6,9 @@
 #include <type_traits>
 
 #include "dsp_kernels/covers.hpp"
-#include "dsp_kernels/intersect.hpp"
+#include "dsp_kernels/first_cell.hpp"
 #include "dsp_kernels/lights.hpp"
+#include "dsp_kernels/plane.hpp"
 #include "dsp_kernels/reflection.hpp"
 #include "dsp_kernels/shadow.hpp"
 
@@ -28,6 +29,7 @@ struct FrameConstants {
     Search<Real> search;  // of eye rays, without the ray
     ShadingMode shading;
     Vec3<Real> background;
+    std::uint32_t planes;   // how many
     std::uint32_t bounces;  // most mirrors one after another
     std::uint32_t samples;  // eye rays of a pixel
     Real sample_share;      // 1 / samples
@@ -43,18 +45,20 @@ struct RayCounts {
 };
 
 /// What is known of a pixel once it is traced. Of several cells that show along its first ray,
-/// `found` is the one that contributes most.
+/// `found` is the one that contributes most, unless the plane behind them, `floor`, does.
 template <class Real>
 struct PixelResult {
     Vec3<Real> color{};
     Real opacity{};  // 0: the background alone
     SearchResult<Real> found;
-    Vec3<Real> normal{};  // the total normal at `found`
+    PlaneHit<Real> floor;
+    Vec3<Real> normal{};  // the total normal at `found`, or the normal of `floor`
     SearchCounts counts;
     RayCounts rays;
 };
 
-/// A share below this adds nothing that a picture could show; it is left to what is in front.
+/// A share of an eye ray below this adds nothing that a picture could show; it is left to what is
+/// in front.
 template <class Real>
 inline constexpr Real least_share = from_double<Real>(0x1p-9);
 
@@ -73,9 +77,9 @@ class PendingRays {
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
     [[nodiscard]] PendingRay<Real> pop() noexcept { return rays_[--size_]; }
     template <NodeLike Node>
-    void push(Node& node, const PendingRay<Real>& ray) noexcept {
+    void push(Node& node, const PendingRay<Real>& ray, Real least_share_of_ray) noexcept {
         node.tally(Operation::compare_branch, 1);
-        if (ray.share < least_share<Real>) return;
+        if (ray.share < least_share_of_ray) return;
         if (size_ < capacity) {
             rays_[size_++] = ray;
             return;
@@ -115,6 +119,7 @@ struct CollectCovers {
     Node& node;
     CoverList<Real>& list;
     Real& left;  // of the ray's share
+    Real least;  // below it nothing is left
     bool operator()(const Cell<Real>& cell, const Shown<Real>& shown) const noexcept {
         node.tally(Operation::multiply_add, 2);
         node.tally(Operation::compare_branch, 1);
@@ -123,7 +128,7 @@ struct CollectCovers {
         move_cell(node, entry.cell, cell);
         entry.shown = shown;
         left = left - left * shown.opacity;
-        return !(left < least_share<Real>)&&list.size < CoverList<Real>::capacity;
+        return !(left < least) && list.size < CoverList<Real>::capacity;
     }
 };
 
@@ -159,33 +164,46 @@ class Tracer {
     /// Adds `share` of what is seen along the ray to the result.
     void trace(const Search<Real>& eye, Real share, Sample sample) noexcept {
         sample_ = sample;
-        look_along({eye, share, frame_.bounces}, RayKind::eye);
+        node_.tally(Operation::multiply_add, 1);
+        least_ = share * least_share<Real>;
+        PendingRay<Real> ray{eye, share, frame_.bounces};
+        look_along(ray, RayKind::eye);
         if constexpr (features.mirrors) {
             while (!pending_.empty()) {
                 node_.tally(Operation::loop_turn, 1);
                 ++result_.rays.reflect;
-                look_along(pending_.pop(), RayKind::mirror);
+                ray = pending_.pop();
+                look_along(ray, RayKind::mirror);
             }
         }
     }
 
   private:
     /// Front to back (Eqs. 18.5, 18.6): `share` is what of the ray is still to be given away.
-    void look_along(PendingRay<Real> ray, RayKind kind) noexcept {
+    void look_along(PendingRay<Real>& ray, RayKind kind) noexcept {
         watch_ray(node_, kind, ray.search);
         kind_ = kind;
         most_ = Real(0);
+        PlaneHit<Real> floor;
+        if (meets_plane(ray.search, floor)) ray.search.end = floor.t;
         if constexpr (features.covers) {
             look_through_covers(ray);
         } else {
             look_at_first(ray);
         }
         if (!(Real(0) < ray.share)) return;
+        if (floor.plane != 0) return show_plane(ray, floor);
         result_.color = add_scaled(node_, result_.color, ray.share, frame_.background);
     }
 
+    /// Whether there is a plane in the part of the ray that counts; then the nearest one.
+    [[nodiscard]] bool meets_plane(const Search<Real>& search, PlaneHit<Real>& hit) noexcept {
+        node_.tally(Operation::integer, 1);
+        return frame_.planes > 0 && nearest_plane(node_, search.ray, search.start, search.end, hit);
+    }
+
     void look_at_first(PendingRay<Real>& ray) noexcept {
-        const SearchResult<Real> found = intersect(node_, ray.search, heap_, result_.counts);
+        const SearchResult<Real> found = first_cell(node_, ray.search, heap_, result_.counts);
         if (found.outcome == Outcome::miss) return;
         show(ray, found.cell, found.shown, found.outcome);
         ray.share = Real(0);
@@ -210,8 +228,8 @@ class Tracer {
         Real left = ray.share;
         covers_.size = 0;
         covers_along(node_, ray.search, after, heap_, result_.counts,
-                     CollectCovers<Node>{node_, covers_, left});
-        opaque_ = left < least_share<Real>;
+                     CollectCovers<Node>{node_, covers_, left, least_});
+        opaque_ = left < least_;
         return !opaque_ && covers_.size == CoverList<Real>::capacity;
     }
 
@@ -234,14 +252,34 @@ class Tracer {
         lit.pixel = pixel_at(node_, ray.search, cell.object, cell.key);
         lit.sighting = &sighting;
         shade(ray, lit);
-        if (kind_ != RayKind::eye) return;
-        result_.opacity = result_.opacity + ray.share;
-        node_.tally(Operation::compare_branch, 1);
-        if (sample_ != Sample::first || !(most_ < ray.share)) return;
-        most_ = ray.share;
+        if (!is_most(ray)) return;
         result_.found.outcome = outcome;
         result_.normal = lit.surface.normal;
         move_cell(node_, result_.found.cell, cell);
+    }
+
+    /// Adds `ray.share` of a plane, behind all else that shows.
+    void show_plane(const PendingRay<Real>& ray, const PlaneHit<Real>& hit) noexcept {
+        LitPlace<Real> lit;
+        lit.pixel = pixel_on_plane(node_, ray.search.pixel, hit.t);
+        lit.surface = plane_surface(node_, ray.search.ray, lit.pixel, hit);
+        lit.point = point_at(node_, ray.search.ray, hit.t);
+        lit.sighting = nullptr;
+        shade(ray, lit);
+        if (!is_most(ray)) return;
+        result_.found.outcome = Outcome::miss;
+        result_.floor = hit;
+        result_.normal = lit.surface.normal;
+    }
+
+    /// Counts what was added along an eye ray; whether it is the largest share of the first one.
+    [[nodiscard]] bool is_most(const PendingRay<Real>& ray) noexcept {
+        if (kind_ != RayKind::eye) return false;
+        result_.opacity = result_.opacity + ray.share;
+        node_.tally(Operation::compare_branch, 1);
+        if (sample_ != Sample::first || !(most_ < ray.share)) return false;
+        most_ = ray.share;
+        return true;
     }
 
     /// Adds a surface with its light, and asks for what it mirrors.
@@ -254,8 +292,10 @@ class Tracer {
                 const Real mirror_share = share * lit.surface.reflect;
                 share = share - mirror_share;
                 pending_.push(
-                    node_, {mirrored(node_, ray.search, lit.point, lit.pixel, lit.surface.normal),
-                            mirror_share, ray.bounces_left - 1});
+                    node_,
+                    {mirrored(node_, ray.search, lit.point, lit.pixel, lit.surface.normal),
+                     mirror_share, ray.bounces_left - 1},
+                    least_);
             }
         }
         const Vec3<Real> color = illuminate(node_, lit, frame_.shading, [&](std::uint32_t light) {
@@ -284,6 +324,8 @@ class Tracer {
 
     /// What of a light passes all that stands along a shadow ray.
     [[nodiscard]] Real transparency(const Search<Real>& search) noexcept {
+        PlaneHit<Real> floor;
+        if (meets_plane(search, floor)) return Real(0);
         if constexpr (features.covers) {
             Real left = Real(1);
             const Cell<Real>* from_start = nullptr;
@@ -291,7 +333,7 @@ class Tracer {
                          DimLight<Node>{node_, left});
             return left < least_share<Real> ? Real(0) : left;
         } else {
-            const auto found = intersect(node_, search, heap_, result_.counts);
+            const auto found = first_cell(node_, search, heap_, result_.counts);
             return found.outcome == Outcome::miss ? Real(1) : Real(0);
         }
     }
@@ -304,6 +346,7 @@ class Tracer {
     [[no_unique_address]] OnlyIf<features.covers, CoverList<Real>> covers_;
     bool opaque_ = false;  // nothing shows behind the covers in the list
     Sample sample_ = Sample::first;
+    Real least_{};  // a share below it is not traced
     RayKind kind_ = RayKind::eye;
     Real most_{};  // the largest share of a cell on the eye ray
 };

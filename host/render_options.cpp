@@ -163,10 +163,7 @@ void require_supported(const SceneOverrides& overrides) {
             throw Error(ExitCode::command_line, fmt::format("{}: not supported yet", what));
         }
     };
-    unless(overrides.intersect != IntersectMethod::fast, "--intersect fast");
     unless(overrides.intersect != IntersectMethod::wide, "--intersect wide");
-    unless(overrides.volume != VolumeKind::oriented, "--volume oriented");
-    unless(overrides.volume != VolumeKind::hull, "--volume hull");
 }
 
 const Model& parse_model(const char* option, const std::string& text) {

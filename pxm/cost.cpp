@@ -33,6 +33,8 @@ constexpr std::array<CostEntry, operation_count> entries{{
     {heap_sift, {9, 14}, assumed, "", "a step of a sift: addresses and numbers; 12 and 20 less a comparison"},
     {pixel_write, {8, 14}, assumed, "", "pack four bytes and store them"},
     {pixel_sequential, {1, 1}, assumed, "", "wait for a word of the front frame buffer next to the one before"},
+    {texture_sequential, {1, 1}, assumed, "", "wait for a word of the texture memory next to the one before"},
+    {texture_scattered, {3, 3}, assumed, "", "wait for a word elsewhere in it"},
 }};
 // clang-format on
 

@@ -56,15 +56,12 @@ class Machine {
 
     /// Writes the same words into every node's back frame buffer, from address 0 on.
     [[nodiscard]] std::optional<Fault> broadcast(std::span<const std::uint32_t> words) {
-        const auto bytes = static_cast<std::int64_t>(words.size_bytes());
-        for (Node<Real>& node : nodes_) {
-            if (!node.back_buffer().reserve(bytes)) {
-                return Fault{node.index(), node.back_buffer().name(), bytes,
-                             node.back_buffer().limit_bytes()};
-            }
-            std::ranges::copy(words, node.back_buffer().words().begin());
-        }
-        return std::nullopt;
+        return broadcast_to(&Node<Real>::back_buffer, words);
+    }
+
+    /// The same into every node's texture memory.
+    [[nodiscard]] std::optional<Fault> broadcast_textures(std::span<const std::uint32_t> words) {
+        return broadcast_to(&Node<Real>::texture, words);
     }
 
     /// Sets every node's heap up, entries in z-buffer memory and their order in fast memory. Load
@@ -89,6 +86,19 @@ class Machine {
     }
 
   private:
+    [[nodiscard]] std::optional<Fault> broadcast_to(Bank& (Node<Real>::*bank_of)() noexcept,
+                                                    std::span<const std::uint32_t> words) {
+        const auto bytes = static_cast<std::int64_t>(words.size_bytes());
+        for (Node<Real>& node : nodes_) {
+            Bank& bank = (node.*bank_of)();
+            if (!bank.reserve(bytes)) {
+                return Fault{node.index(), bank.name(), bytes, bank.limit_bytes()};
+            }
+            std::ranges::copy(words, bank.words().begin());
+        }
+        return std::nullopt;
+    }
+
     Model model_;
     std::vector<Node<Real>> nodes_;
 };

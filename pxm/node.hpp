@@ -58,6 +58,20 @@ class Node {
         return decode<Real>(words);
     }
 
+    // --- texture memory --------------------------------------------------------------------------
+    [[nodiscard]] std::uint32_t texture_word(std::uint32_t address) noexcept {
+        tally_.add(
+            address == next_texture_ ? Operation::texture_sequential : Operation::texture_scattered,
+            1);
+        next_texture_ = address + 1;
+        const auto words = texture_.words();
+        if (address >= words.size()) {
+            halt(texture_, (std::int64_t{address} + 1) * 4);
+            return 0;
+        }
+        return words[address];
+    }
+
     // --- fast memory: the program, the heap's order, and the stack at the end --------------------
     /// Takes the place of a program with its constants, and of its stack; a Fault if there is not
     /// as much. Preconditions: whole words, and no heap is reserved yet.
@@ -140,6 +154,7 @@ class Node {
     std::int64_t stack_bytes_ = 0;
     int heap_capacity_ = 0;
     std::uint32_t next_shape_ = 0xFFFF'FFFF;
+    std::uint32_t next_texture_ = 0xFFFF'FFFF;
     Tally tally_;
     std::optional<Fault> halted_;
 };

@@ -17,6 +17,9 @@ concept NodeLike = requires(N node, std::uint32_t address, Operation operation) 
     noexcept->std::same_as<std::uint32_t>;
     { node.shape_real(address) }
     noexcept->std::same_as<typename N::Real>;
+    /// A word of the texture memory, by word address.
+    { node.texture_word(address) }
+    noexcept->std::same_as<std::uint32_t>;
     /// Entries of the heap, in z-buffer memory, and their order, in fast memory.
     { node.template heap_records<std::uint32_t>() }
     noexcept->std::same_as<std::uint32_t*>;

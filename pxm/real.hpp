@@ -65,7 +65,8 @@ template <IeeeReal R>
 /// The next integer below. Precondition: it is an int.
 template <IeeeReal R>
 [[nodiscard]] int floor_integer(R x) noexcept {
-    return static_cast<int>(std::floor(x));
+    const int toward_zero = static_cast<int>(x);
+    return x < static_cast<R>(toward_zero) ? toward_zero - 1 : toward_zero;
 }
 /// The nearest integer, ties up. Precondition: it is an int.
 template <IeeeReal R>

@@ -29,11 +29,13 @@ enum class Operation : std::uint8_t {
     shape_scattered,   // a word elsewhere in the back frame buffer
     heap_sequential,   // the same in the z-buffer memory
     heap_scattered,
-    heap_sift,         // one step of a heap's sift, its comparisons and slow words counted apart
-    pixel_write,       // pack four bytes and store them
-    pixel_sequential,  // the word of the front frame buffer next to the pixel before
+    heap_sift,           // one step of a heap's sift, its comparisons and slow words counted apart
+    pixel_write,         // pack four bytes and store them
+    pixel_sequential,    // the word of the front frame buffer next to the pixel before
+    texture_sequential,  // a word of the texture memory next to the one read before
+    texture_scattered,   // a word elsewhere in the texture memory
 };
-inline constexpr std::size_t operation_count = 21;
+inline constexpr std::size_t operation_count = 23;
 
 /// Names as they stand in cost tables and statistics.
 inline constexpr std::array<std::string_view, operation_count> operation_names{
@@ -57,7 +59,9 @@ inline constexpr std::array<std::string_view, operation_count> operation_names{
     "heap_scattered",
     "heap_sift",
     "pixel_write",
-    "pixel_sequential"};
+    "pixel_sequential",
+    "texture_sequential",
+    "texture_scattered"};
 
 /// Whether the node waits for one of its slow memories instead of executing an instruction.
 [[nodiscard]] constexpr bool is_memory_wait(Operation operation) noexcept {
@@ -67,6 +71,8 @@ inline constexpr std::array<std::string_view, operation_count> operation_names{
         case Operation::heap_sequential:
         case Operation::heap_scattered:
         case Operation::pixel_sequential:
+        case Operation::texture_sequential:
+        case Operation::texture_scattered:
             return true;
         default:
             return false;

@@ -13,6 +13,7 @@ template void child_cell(Node&, const Search<float>&, const Cell<float>&, std::u
 template std::uint32_t map_from(Node&, std::uint32_t, std::uint32_t) noexcept;
 template Ending ending(Node&, const Search<float>&, const Cell<float>&) noexcept;
 template float pixel_at(Node&, const Search<float>&, std::uint32_t, float) noexcept;
+template bool at_last_level(Node&, const Cell<float>&) noexcept;
 template bool is_polar(Node&, std::uint32_t) noexcept;
 template float cell_diameter(Node&, const Cell<float>&) noexcept;
 template std::optional<Interval<float>> intersect_volume(Node&, const Ray<float>&,

@@ -21,6 +21,9 @@ class MeasuredNode {
     [[nodiscard]] float shape_real(std::uint32_t address) const noexcept {
         return std::bit_cast<float>(back_buffer_[address]);
     }
+    [[nodiscard]] std::uint32_t texture_word(std::uint32_t address) const noexcept {
+        return texture_[address];
+    }
     [[nodiscard]] int heap_capacity() const noexcept { return heap_capacity_; }
     [[nodiscard]] std::uint32_t* heap_order() const noexcept { return heap_order_; }
     template <class Record>
@@ -35,6 +38,7 @@ class MeasuredNode {
   private:
     std::uint32_t* front_buffer_ = nullptr;
     const std::uint32_t* back_buffer_ = nullptr;
+    const std::uint32_t* texture_ = nullptr;
     void* zbuffer_ = nullptr;
     std::uint32_t* heap_order_ = nullptr;
     int heap_capacity_ = 0;

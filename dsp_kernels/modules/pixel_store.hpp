@@ -18,7 +18,8 @@ struct PixelStore {
     }
     bool operator()(std::uint32_t, std::uint32_t, const PixelResult<float>& result) const noexcept {
         const Vec3<float>& color = result.color;
-        const std::uint32_t alpha = result.found.outcome == Outcome::miss ? 0 : 255;
+        const std::uint32_t alpha =
+            result.found.outcome == Outcome::miss && result.floor.plane == 0 ? 0 : 255;
         node.write_pixel(pixel++,
                          byte(color.x) << 24 | byte(color.y) << 16 | byte(color.z) << 8 | alpha);
         return true;

@@ -26,7 +26,6 @@ constexpr double ball_tolerance = 0.003;  // of the radius: a ball this near to 
 constexpr double coarse = 1e-2;           // of the size: looser boxes get another round
 constexpr long first_budget = 200'000;    // cells looked at for all boxes, and balls, of a round
 constexpr long budget_per_edge = 4;       // ... and more where there are many maps
-constexpr long declared_budget = 1'000'000;  // ... for one declared volume
 constexpr int most_rounds = 3;
 constexpr long large_graph = 50'000;  // edges: a system of this size gets one round
 constexpr int most_moves = 40;        // of a ball's centre
@@ -163,32 +162,6 @@ std::vector<Bounds> bound(const Rifs& rifs, const Contraction& contraction) {
     }
     for (Bounds& bounds : known.outer) add_margin(bounds);
     return known.outer;
-}
-
-double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
-                const SphereVolume& volume) {
-    const Approximation known = approximation(rifs, bounds);
-    const double rounding =
-        margin * bounds[set].ball.radius + coordinate_margin * coordinate_size(bounds[set]);
-    const FarthestGoal goal{volume.radius + rounding, rounding, 1e-3, declared_budget};
-    const double over = farthest(rifs, known, set, volume.center, goal).upper - volume.radius;
-    return over <= rounding ? std::min(over, 0.0) : over;
-}
-
-double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
-                const BoxVolume& volume) {
-    const Approximation known = approximation(rifs, bounds);
-    const double rounding =
-        margin * bounds[set].ball.radius + coordinate_margin * coordinate_size(bounds[set]);
-    double over = -std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        glm::dvec3 u{0.0};
-        u[axis] = 1;
-        const double high = reach(rifs, known, set, u, rounding, declared_budget).upper;
-        const double low = reach(rifs, known, set, -u, rounding, declared_budget).upper;
-        over = std::max({over, high - volume.high[axis], low + volume.low[axis]});
-    }
-    return over <= rounding ? std::min(over, 0.0) : over;
 }
 
 }  // namespace pxm::host

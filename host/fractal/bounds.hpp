@@ -30,12 +30,4 @@ struct Bounds {
 /// Bounds for every follow set. Precondition: the system contracts (`proof` is not none).
 [[nodiscard]] std::vector<Bounds> bound(const Rifs& rifs, const Contraction& contraction);
 
-/// By how much E_s of follow set `set` sticks out of a declared volume: 0 (or less) if it is
-/// contained, else the largest distance found; an upper bound, never too small. `bounds` as from
-/// bound().
-[[nodiscard]] double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
-                              const SphereVolume& volume);
-[[nodiscard]] double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
-                              const BoxVolume& volume);
-
 }  // namespace pxm::host

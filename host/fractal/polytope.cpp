@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "host/fractal/support.hpp"
 
@@ -106,6 +107,18 @@ double offset(const Rifs& rifs, const Approximation& known, int set, const glm::
            coordinate_margin * far;
 }
 
+/// Where three planes meet, unless two of them are all but parallel.
+std::optional<glm::dvec3> meeting_point(const HalfSpace& a, const HalfSpace& b,
+                                        const HalfSpace& c) {
+    constexpr double parallel = 1e-8;
+    const glm::dvec3 bc = glm::cross(b.normal, c.normal);
+    const double determinant = glm::dot(a.normal, bc);
+    if (!(std::abs(determinant) > parallel)) return std::nullopt;
+    return (a.offset * bc + b.offset * glm::cross(c.normal, a.normal) +
+            c.offset * glm::cross(a.normal, b.normal)) /
+           determinant;
+}
+
 double volume(const glm::dvec3& sides) { return sides.x * sides.y * sides.z; }
 
 }  // namespace
@@ -119,6 +132,36 @@ Polytope polytope(const Rifs& rifs, const Approximation& known, int set) {
         result.push_back({normal, offset(rifs, known, set, normal)});
     }
     return result;
+}
+
+std::vector<glm::dvec3> corners(const Polytope& polytope) {
+    constexpr double on_plane = 1e-9;  // of the offsets
+    double largest = 0;
+    for (const HalfSpace& side : polytope) largest = std::max(largest, std::abs(side.offset));
+    const auto contains = [&](const glm::dvec3& point) {
+        return std::ranges::all_of(polytope, [&](const HalfSpace& side) {
+            return glm::dot(side.normal, point) <= side.offset + on_plane * largest;
+        });
+    };
+    std::vector<glm::dvec3> result;
+    for (std::size_t i = 0; i < polytope.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            for (std::size_t k = 0; k < j; ++k) {
+                const auto point = meeting_point(polytope[i], polytope[j], polytope[k]);
+                if (point && contains(*point)) result.push_back(*point);
+            }
+        }
+    }
+    return result;
+}
+
+double diameter(const Polytope& polytope) {
+    const std::vector<glm::dvec3> points = corners(polytope);
+    double largest = 0;
+    for (const glm::dvec3& a : points) {
+        for (const glm::dvec3& b : points) largest = std::max(largest, glm::distance(a, b));
+    }
+    return largest;
 }
 
 OrientedBox oriented_box(const Rifs& rifs, const Approximation& known, int set) {

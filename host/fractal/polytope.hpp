@@ -16,6 +16,7 @@ namespace pxm::host {
 struct HalfSpace {
     glm::dvec3 normal;  // unit
     double offset = 0;
+    bool operator==(const HalfSpace&) const = default;
 };
 
 using Polytope = std::vector<HalfSpace>;
@@ -25,6 +26,13 @@ inline constexpr int most_half_spaces = 32;  // docs/scene-language.md, `hull`
 /// A bounded polytope that contains E_set, of at most most_half_spaces. `known` as from
 /// approximation().
 [[nodiscard]] Polytope polytope(const Rifs& rifs, const Approximation& known, int set);
+
+/// The corners of a bounded polytope. Where planes all but agree, points beside a corner may be
+/// among them.
+[[nodiscard]] std::vector<glm::dvec3> corners(const Polytope& polytope);
+
+/// The largest distance of two points of a bounded polytope.
+[[nodiscard]] double diameter(const Polytope& polytope);
 
 /// A box that contains E_set, along its principal axes or along the coordinate axes, the smaller
 /// one.

@@ -7,7 +7,9 @@
 #include "host/fractal/inner_points.hpp"
 #include "host/fractal/proven_rifs.hpp"
 #include "host/fractal/rifs.hpp"
+#include "host/fractal/short_by.hpp"
 #include "host/render/volumes.hpp"
+#include "host/scene/default_objects.hpp"
 
 namespace pxm::host {
 
@@ -49,14 +51,9 @@ const char* volume_name(const std::optional<DeclaredVolume>& volume) {
     return names[volume ? volume->index() : 0];
 }
 
-double short_by(const IfsFacts& facts, const std::optional<DeclaredVolume>& declared) {
-    if (!declared) return 0;
-    const auto by = [&](const auto& volume) {
-        return std::max(0.0, short_by(facts.rifs, facts.bounds, facts.rifs.start, volume));
-    };
-    if (const auto* sphere = std::get_if<SphereVolume>(&*declared)) return by(*sphere);
-    if (const auto* box = std::get_if<BoxVolume>(&*declared)) return by(*box);
-    return 0;
+const char* volume_name(kernels::Volume kind) {
+    constexpr std::array names{"sphere", "box", "oriented", "hull", "cone", "cylinder"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 ObjectFacts inspect_object(const ObjectBlock& object, const Scene& scene,
@@ -75,12 +72,13 @@ ObjectFacts inspect_object(const ObjectBlock& object, const Scene& scene,
         std::ranges::find(systems, *object.ifs, [](const IfsFacts& s) { return s.rifs.name; });
     const VolumeKind kind =
         scene.render.value_or(RenderBlock{}).volume.value_or(VolumeKind::automatic);
-    ObjectBlock chosen = object;
-    if (chosen.volume && std::holds_alternative<HullVolume>(*chosen.volume)) chosen.volume.reset();
     Diagnostics repeated;  // the warnings are those of the compiler
-    const auto volumes = choose_volumes(chosen, kind, system->rifs, system->bounds, repeated);
-    facts.volume = volumes[system->rifs.start].kind == kernels::Volume::sphere ? "sphere" : "box";
-    facts.short_by = short_by(*system, facts.declared);
+    const auto volumes = choose_volumes(object, kind, system->rifs, system->bounds, repeated);
+    facts.volume = volume_name(volumes[system->rifs.start].kind);
+    if (facts.declared) {
+        facts.short_by = std::max(
+            0.0, short_by(system->rifs, system->bounds, system->rifs.start, *facts.declared));
+    }
     facts.ball_slack = system->bounds[system->rifs.start].ball_slack;
     return facts;
 }
@@ -126,15 +124,8 @@ Inspection inspect(const Scene& scene, const std::string& path, Diagnostics& dia
         return inspection;
     }
     inspection.needs = node_needs(scene, diagnostics);  // finds the same warnings, and more
-    for (const ObjectBlock& object : scene.objects) {
+    for (const ObjectBlock& object : objects_of(scene)) {
         inspection.objects.push_back(inspect_object(object, scene, inspection.ifs));
-    }
-    if (!scene.objects.empty()) return inspection;
-    for (const IfsBlock& block : scene.ifs) {
-        ObjectBlock shown;  // a scene without objects shows its systems as they are
-        shown.name = block.name;
-        shown.ifs = block.name;
-        inspection.objects.push_back(inspect_object(shown, scene, inspection.ifs));
     }
     return inspection;
 }

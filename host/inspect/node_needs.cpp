@@ -16,26 +16,6 @@ namespace {
 constexpr const char* inspected_model = "964dX";  // the machine of the thesis (Ch. 19)
 constexpr std::int64_t word_bytes = 4;
 
-/// The scene without what check_supported() refuses.
-Scene supported_part(const Scene& scene) {
-    Scene part = scene;
-    part.planes.clear();
-    part.textures.clear();
-    std::erase_if(part.objects, [](const ObjectBlock& object) { return !object.ifs; });
-    for (ObjectBlock& object : part.objects) {
-        if (object.volume && std::holds_alternative<HullVolume>(*object.volume)) {
-            object.volume.reset();
-        }
-    }
-    // Without objects every ifs would be shown; here there were objects, of another kind.
-    if (part.objects.empty() && !scene.objects.empty()) part.ifs.clear();
-    if (part.render &&
-        (part.render->volume == VolumeKind::oriented || part.render->volume == VolumeKind::hull)) {
-        part.render->volume.reset();
-    }
-    return part;
-}
-
 MachineStatistics memory_of(const CompiledScene& scene, const Model& model) {
     const auto entry = static_cast<std::int64_t>(sizeof(kernels::Cell<dsp32::Float>));
     const auto block = static_cast<std::int64_t>(make_scene_block<dsp32::Float>(scene).size());
@@ -46,7 +26,8 @@ MachineStatistics memory_of(const CompiledScene& scene, const Model& model) {
                                               static_cast<int>(scene.size.rows))};
     memory.back_buffer = {bank_bytes, word_bytes * block};
     memory.zbuffer = {zbuffer_part_bytes, entry * scene.heap};
-    memory.texture = {texture_part_bytes, 0};
+    memory.texture = {texture_part_bytes,
+                      word_bytes * static_cast<std::int64_t>(scene.texture_words.size())};
     return memory;
 }
 
@@ -57,7 +38,7 @@ bool is_over(const MemoryUse& use) { return use.used_bytes > use.limit_bytes; }
 NodeNeeds node_needs(const Scene& scene, Diagnostics& diagnostics) {
     NodeNeeds needs;
     needs.model = inspected_model;
-    const CompiledScene compiled = compile(supported_part(scene), 1, diagnostics);
+    const CompiledScene compiled = compile(scene, 1, diagnostics);
     if (diagnostics.has_errors()) return needs;
     needs.program = link(compiled);
     needs.memory = memory_of(compiled, *find_model(inspected_model));

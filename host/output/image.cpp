@@ -2,11 +2,13 @@
 #include "host/output/image.hpp"
 
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <memory>
 
 #include "host/error.hpp"
 #include "host/output/safe_file.hpp"
@@ -110,6 +112,23 @@ void write_pixels(const std::string& path, const std::string& beside, const OIIO
     }
 }
 
+std::unique_ptr<OIIO::ImageInput> open_image(const std::string& path) {
+    OIIO::attribute("threads", 1);
+    auto input = OIIO::ImageInput::open(path);
+    if (!input) {
+        // OpenImageIO's second sentence would ask the user a question.
+        const std::string why = OIIO::geterror();
+        throw Error(ExitCode::file, "cannot read " + path + ": " + why.substr(0, why.find(". ")));
+    }
+    return input;
+}
+
+/// Whether the numbers of a file go through the sRGB curve.
+bool is_srgb(const OIIO::ImageSpec& spec) {
+    return !spec.format.is_floating_point() &&
+           spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
+}
+
 /// Whether OpenImageIO has a writer of colour pictures for this extension. Its `null` and `term`
 /// write no file, and a zfile holds depths.
 bool is_picture_format(const std::string& path) {
@@ -157,6 +176,11 @@ const std::vector<Aov>& all_aovs() {
 float srgb_from_linear(float linear) {
     const float x = std::clamp(linear, 0.0F, 1.0F);
     return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
+}
+
+float linear_from_srgb(float srgb) {
+    const float x = std::clamp(srgb, 0.0F, 1.0F);
+    return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
 }
 
 void require_image_format(const std::string& path, const std::vector<Aov>& aovs) {
@@ -221,17 +245,12 @@ const std::string* LoadedImage::find(const std::string& name) const {
 }
 
 LoadedImage read_image(const std::string& path) {
-    OIIO::attribute("threads", 1);
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) {
-        // OpenImageIO's second sentence would ask the user a question.
-        const std::string why = OIIO::geterror();
-        throw Error(ExitCode::file, "cannot read " + path + ": " + why.substr(0, why.find(". ")));
-    }
+    const auto input = open_image(path);
     const OIIO::ImageSpec& spec = input->spec();
     LoadedImage image;
     image.width = spec.width;
     image.height = spec.height;
+    image.srgb = is_srgb(spec);
     image.channels = spec.channelnames;
     image.values.resize(static_cast<std::size_t>(spec.width) *
                         static_cast<std::size_t>(spec.height) * image.channels.size());
@@ -244,6 +263,35 @@ LoadedImage read_image(const std::string& path) {
             image.metadata.emplace_back(name.substr(4), attribute.get_string());
     }
     return image;
+}
+
+LinearPicture read_linear_picture(const std::string& path) {
+    {
+        const auto input = open_image(path);
+        const OIIO::ImageSpec& spec = input->spec();
+        if (std::max(spec.width, spec.height) > picture_side_pixels ||
+            long{spec.width} * spec.height > picture_pixels) {
+            throw Error(
+                ExitCode::file,
+                fmt::format("cannot use {}: {} x {} pixels are more than {} in all or {} "
+                            "a side",
+                            path, spec.width, spec.height, picture_pixels, picture_side_pixels));
+        }
+    }
+    const LoadedImage image = read_image(path);
+    LinearPicture picture{image.width, image.height, {}};
+    const int channels = static_cast<int>(image.channels.size());
+    const std::size_t pixels =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        std::array<float, 3> color{};
+        for (int c = 0; c < 3; ++c) {
+            const float value = image.at(i, channels < 3 ? 0 : c);
+            color[static_cast<std::size_t>(c)] = image.srgb ? linear_from_srgb(value) : value;
+        }
+        picture.pixels.push_back(color);
+    }
+    return picture;
 }
 
 }  // namespace pxm::host

@@ -1,6 +1,7 @@
 // Pictures as files, through OpenImageIO. The only place that knows that library.
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,7 @@ struct LoadedImage {
     std::vector<std::string> channels;
     std::vector<float> values;
     Metadata metadata;
+    bool srgb = false;  // the values go through the sRGB curve
 
     /// The index of a channel, or -1.
     [[nodiscard]] int channel(const std::string& name) const;
@@ -48,7 +50,23 @@ struct LoadedImage {
 /// Throws Error(ExitCode::file).
 [[nodiscard]] LoadedImage read_image(const std::string& path);
 
-/// The sRGB curve of a linear value, 0..1.
+/// A picture in linear red, green and blue, by rows from the top.
+struct LinearPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::array<float, 3>> pixels;
+};
+
+inline constexpr long picture_side_pixels = 16'384;  // of a texture: whole parts have 16 bits
+inline constexpr long picture_pixels = 4096L * 4096;
+
+/// Reads a picture of any kind: integers are decoded from sRGB unless the file says that they are
+/// linear, grey becomes three equal channels, further channels are left out. Throws
+/// Error(ExitCode::file), also for one larger than the limits above.
+[[nodiscard]] LinearPicture read_linear_picture(const std::string& path);
+
+/// The sRGB curve of a linear value, 0..1, and back.
 [[nodiscard]] float srgb_from_linear(float linear);
+[[nodiscard]] float linear_from_srgb(float srgb);
 
 }  // namespace pxm::host

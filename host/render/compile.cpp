@@ -10,9 +10,13 @@
 #include <optional>
 
 #include "host/fractal/lipschitz.hpp"
+#include "host/render/bounding_volume.hpp"
+#include "host/render/compile_floor.hpp"
 #include "host/render/lifted_fractal.hpp"
 #include "host/render/lights.hpp"
+#include "host/render/method.hpp"
 #include "host/render/samples.hpp"
+#include "host/render/shape.hpp"
 #include "host/render/view.hpp"
 #include "host/render/volumes.hpp"
 #include "host/scene/default_objects.hpp"
@@ -24,17 +28,19 @@ namespace {
 constexpr double largest_length = 1e100;  // world units: the square of more is no double
 constexpr glm::dvec3 base_color{0.9, 0.9, 0.9};
 
-/// An object on its way: its block, its fractal, its place in the world.
+/// An object on its way: its block, its fractal (none if a volume is the object), its place in the
+/// world.
 struct Placed {
     const ObjectBlock* block;
     Fractal* fractal;
     Affine instance;  // ifs coordinates to world
 
-    [[nodiscard]] const Bounds& outermost() const {
-        return fractal->bounds[static_cast<std::size_t>(fractal->rifs.start)];
+    [[nodiscard]] Ball own_ball() const {
+        if (fractal == nullptr) return ball_around(primitive_volume(*block->volume));
+        return fractal->bounds[static_cast<std::size_t>(fractal->rifs.start)].ball;
     }
     [[nodiscard]] Ball world_ball() const {
-        const Ball& ball = outermost().ball;
+        const Ball ball = own_ball();
         return {instance.point(ball.center), lipschitz_constant(instance) * ball.radius};
     }
 };
@@ -55,91 +61,6 @@ Ball ball_around(const std::vector<Placed>& objects) {
         all.radius = std::max(all.radius, glm::distance(all.center, ball.center) + ball.radius);
     }
     return all;
-}
-
-double power_of_two_near(double x) {
-    return x > 0 && std::isfinite(x) ? std::exp2(std::round(std::log2(x))) : 1.0;
-}
-
-kernels::Lipschitz choose_lipschitz(LipschitzMethod method, const Rifs& rifs) {
-    switch (method) {
-        case LipschitzMethod::product:
-            return kernels::Lipschitz::product;
-        case LipschitzMethod::determinant:
-            return kernels::Lipschitz::determinant;
-        case LipschitzMethod::polar:
-            return kernels::Lipschitz::polar;
-        case LipschitzMethod::automatic:
-            break;
-    }
-    const bool similar = std::ranges::all_of(rifs.maps, [](const Affine& map) {
-        const MapKind kind = classify(map);
-        return kind == MapKind::homothety || kind == MapKind::similitude;
-    });
-    return similar ? kernels::Lipschitz::product : kernels::Lipschitz::polar;
-}
-
-double constant_by(kernels::Lipschitz method, const Affine& map) {
-    return method == kernels::Lipschitz::determinant ? determinant_constant(map)
-                                                     : lipschitz_constant(map);
-}
-
-/// The similarity from a shape's own coordinates (its ball about the unit ball) to those of its
-/// ifs.
-struct Frame {
-    glm::dvec3 center{0.0};
-    double scale = 1;
-
-    [[nodiscard]] glm::dvec3 to_shape(const glm::dvec3& x) const { return (x - center) / scale; }
-};
-
-CompiledVolume to_shape(const CompiledVolume& volume, const Frame& frame) {
-    CompiledVolume result = volume;
-    result.center = frame.to_shape(volume.center);
-    result.low = frame.to_shape(volume.low);
-    result.high = frame.to_shape(volume.high);
-    result.radius = volume.radius / frame.scale;
-    result.diameter = volume.diameter / frame.scale;
-    return result;
-}
-
-/// For every map the diameter of the largest volume that it may stand in.
-std::vector<double> diameters_around(const Rifs& rifs, const std::vector<CompiledVolume>& volumes) {
-    std::vector<double> around(rifs.maps.size(), 0);
-    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
-        for (const int map : rifs.follow_sets[s].maps) {
-            double& largest = around[static_cast<std::size_t>(map)];
-            largest = std::max(largest, volumes[s].diameter);
-        }
-    }
-    return around;
-}
-
-CompiledShape make_shape(const IfsBlock& block, const Fractal& fractal, const Frame& frame,
-                         const std::vector<CompiledVolume>& volumes, kernels::Lipschitz method) {
-    const Rifs& rifs = fractal.rifs;
-    const std::vector<double> around = diameters_around(rifs, volumes);
-    CompiledShape shape;
-    shape.ifs = block.name;
-    shape.map_names = rifs.map_names;
-    shape.start = rifs.start;
-    shape.lifted = fractal.lifted;
-    shape.lipschitz = method;
-    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
-        shape.sets.push_back({to_shape(volumes[s], frame), rifs.follow_sets[s].maps});
-    }
-    for (std::size_t i = 0; i < rifs.maps.size(); ++i) {
-        const Affine& map = rifs.maps[i];
-        shape.maps.push_back({{map.linear, (map.point(frame.center) - frame.center) / frame.scale},
-                              constant_by(method, map),
-                              smallest_singular_value(map) *
-                                  volumes[static_cast<std::size_t>(rifs.follow_of[i])].diameter /
-                                  around[i],
-                              block.maps[i].color.value_or(glm::dvec4{0.0}),
-                              rifs.follow_of[i],
-                              lost_axes(fractal.exact.maps[i])});
-    }
-    return shape;
 }
 
 kernels::ShadingMode shading_mode(Shading shading) {
@@ -174,10 +95,13 @@ class Compiler {
         set_view(ball_around(objects));
         if (diagnostics_.has_errors()) return {};
         lift_to_pixels(objects);
+        out_.method = chosen_method(render_);
         for (const Placed& object : objects) add_object(object);
+        compile_floor(scene_, view_, fractals_, out_, diagnostics_);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
         set_sampling();
+        if (out_.method == kernels::Method::fast) require_solid(render_, out_, diagnostics_);
         out_.heap = render_.heap.value_or(out_.heap);
         out_.ambient = render_.ambient.value_or(out_.ambient);
         out_.background = render_.background.value_or(out_.background);
@@ -188,17 +112,26 @@ class Compiler {
     void make_fractals() {
         for (const IfsBlock& block : scene_.ifs) {
             if (auto fractal = make_fractal(block, diagnostics_)) {
+                if (chosen_method(render_) == kernels::Method::fast) {
+                    require_homotheties(block, fractal->exact, diagnostics_);
+                }
                 fractals_.emplace(block.name, std::move(*fractal));
             }
         }
     }
 
+    /// The bounded fractal that an object shows; none if a volume is the object.
+    Fractal* fractal_of(const ObjectBlock& block) {
+        if (!block.ifs) return nullptr;
+        Fractal& fractal = fractals_.at(*block.ifs);
+        if (fractal.bounds.empty()) fractal.bounds = bound(fractal.rifs, fractal.contraction);
+        return &fractal;
+    }
+
     std::vector<Placed> place(const std::vector<ObjectBlock>& blocks) {
         std::vector<Placed> objects;
         for (const ObjectBlock& block : blocks) {
-            Fractal& fractal = fractals_.at(*block.ifs);
-            if (fractal.bounds.empty()) fractal.bounds = bound(fractal.rifs, fractal.contraction);
-            objects.push_back({&block, &fractal, compose(block.commands)});
+            objects.push_back({&block, fractal_of(block), compose(block.commands)});
             const Ball ball = objects.back().world_ball();
             if (!(glm::length(ball.center) <= largest_length && ball.radius <= largest_length)) {
                 diagnostics_.error(block.position,
@@ -245,7 +178,7 @@ class Compiler {
     void lift_to_pixels(const std::vector<Placed>& objects) {
         std::map<Fractal*, double> thickness;
         for (const Placed& object : objects) {
-            if (!object.fractal->lifted) continue;
+            if (object.fractal == nullptr || !object.fractal->lifted) continue;
             const double distance = glm::distance(view_.eye, object.world_ball().center);
             const double p = pixel_size(view_, out_.size, distance);
             const double extent =
@@ -260,21 +193,18 @@ class Compiler {
     }
 
     void add_object(const Placed& object) {
-        const Fractal& fractal = *object.fractal;
-        const Ball& ball = object.outermost().ball;
-        const Frame frame{ball.center, power_of_two_near(ball.radius)};
-        const auto volumes =
-            choose_volumes(*object.block, render_.volume.value_or(VolumeKind::automatic),
-                           fractal.rifs, fractal.bounds, diagnostics_);
-        const auto method =
-            choose_lipschitz(render_.lipschitz.value_or(LipschitzMethod::automatic), fractal.exact);
+        const Frame frame = frame_around(object.own_ball());
         CompiledObject result;
         result.name = object.block->name;
-        result.shape = shape_for(*object.block->ifs, fractal, frame, volumes, method);
+        result.shape = object.fractal == nullptr ? shape_of_volume(*object.block, frame)
+                                                 : shape_of_fractal(object, frame);
+        const CompiledShape& shape = out_.shapes[static_cast<std::size_t>(result.shape)];
+        if (out_.method == kernels::Method::fast) {
+            require_spheres(*object.block, shape, diagnostics_);
+        }
         result.instance.linear = object.instance.linear * (frame.scale / out_.unit);
         result.instance.translation = (object.instance.point(frame.center) - view_.eye) / out_.unit;
-        result.constant = constant_by(method, result.instance);
-        const CompiledShape& shape = out_.shapes[static_cast<std::size_t>(result.shape)];
+        result.constant = constant_by(shape.lipschitz, result.instance);
         result.diameter = lipschitz_constant(result.instance) *
                           shape.sets[static_cast<std::size_t>(shape.start)].volume.diameter;
         const glm::dvec4 paint = object.block->color.value_or(glm::dvec4{0.0});
@@ -282,36 +212,89 @@ class Compiler {
         result.diffuse = object.block->diffuse.value_or(0.8);
         result.opacity = object.block->opacity.value_or(1);
         result.reflect = object.block->reflect.value_or(0);
-        if (object.block->levels) {
+        if (object.fractal == nullptr) {
+            result.levels = 0;  // its outermost cell is all there is
+        } else if (object.block->levels) {
             result.levels = static_cast<std::uint32_t>(
                 std::min<long>(*object.block->levels, kernels::unlimited_levels - 1));
         }
         out_.objects.push_back(result);
     }
 
-    /// The shape of an ifs with those volumes: the one made before if there is one.
-    int shape_for(const std::string& ifs, const Fractal& fractal, const Frame& frame,
-                  const std::vector<CompiledVolume>& volumes, kernels::Lipschitz method) {
-        std::string key = ifs;
-        for (const CompiledVolume& v : volumes) {
-            key += fmt::format("/{} {} {} {} {} {} {} {} {}", static_cast<int>(v.kind), v.center.x,
-                               v.center.y, v.center.z, v.radius, v.diameter, v.low.x, v.low.y,
-                               v.low.z);
+    int shape_of_fractal(const Placed& object, const Frame& frame) {
+        const Fractal& fractal = *object.fractal;
+        const std::string& name = *object.block->ifs;
+        const auto& volumes = volumes_of(object);
+        const auto method =
+            choose_lipschitz(render_.lipschitz.value_or(LipschitzMethod::automatic), fractal.exact);
+        if (const auto made = shape_with(name, volumes, frame)) return *made;
+        const auto block = std::ranges::find(scene_.ifs, name, &IfsBlock::name);
+        CompiledShape shape = make_shape(fractal.rifs, volumes, frame, method);
+        shape.lifted = fractal.lifted;
+        for (std::size_t i = 0; i < shape.maps.size(); ++i) {
+            shape.maps[i].color = block->maps[i].color.value_or(glm::dvec4{0.0});
+            shape.maps[i].lost = lost_axes(fractal.exact.maps[i]);
         }
-        const auto [found, added] = shape_of_.emplace(key, static_cast<int>(out_.shapes.size()));
-        if (added) {
-            const auto block = std::ranges::find(scene_.ifs, ifs, &IfsBlock::name);
-            out_.shapes.push_back(make_shape(*block, fractal, frame, volumes, method));
-        }
-        return found->second;
+        return add_shape(std::move(shape));
     }
+
+    int shape_of_volume(const ObjectBlock& block, const Frame& frame) {
+        const CompiledVolume volume = primitive_volume(*block.volume);
+        if (const auto made = shape_with("", {volume}, frame)) return *made;
+        CompiledShape shape;
+        shape.sets.push_back({in_frame(volume, frame.center, frame.scale), {}});
+        return add_shape(std::move(shape));
+    }
+
+    /// The volumes for an object: those chosen for another one that is declared alike.
+    const std::vector<CompiledVolume>& volumes_of(const Placed& object) {
+        const ObjectBlock& block = *object.block;
+        for (const ChosenVolumes& chosen : chosen_) {
+            if (chosen.fractal == object.fractal && chosen.block->volume == block.volume &&
+                chosen.block->levels == block.levels) {
+                return chosen.volumes;
+            }
+        }
+        chosen_.push_back({object.fractal, &block,
+                           choose_volumes(block, volume_kind(render_, block), object.fractal->rifs,
+                                          object.fractal->bounds, diagnostics_)});
+        return chosen_.back().volumes;
+    }
+
+    /// The number of the shape of an ifs with those volumes, if it was made before.
+    std::optional<int> shape_with(const std::string& ifs,
+                                  const std::vector<CompiledVolume>& volumes, const Frame& frame) {
+        const auto same = [&](const CompiledShape& shape) {
+            return shape.ifs == ifs &&
+                   std::ranges::equal(shape.sets, volumes,
+                                      [&](const CompiledSet& set, const CompiledVolume& volume) {
+                                          return set.volume ==
+                                                 in_frame(volume, frame.center, frame.scale);
+                                      });
+        };
+        const auto found = std::ranges::find_if(out_.shapes, same);
+        if (found == out_.shapes.end()) return std::nullopt;
+        return static_cast<int>(found - out_.shapes.begin());
+    }
+
+    int add_shape(CompiledShape shape) {
+        out_.shapes.push_back(std::move(shape));
+        return static_cast<int>(out_.shapes.size()) - 1;
+    }
+
+    /// What was chosen for the first of the objects that are declared alike.
+    struct ChosenVolumes {
+        const Fractal* fractal;
+        const ObjectBlock* block;
+        std::vector<CompiledVolume> volumes;
+    };
 
     const Scene& scene_;
     RenderBlock render_;
     double zoom_;
     Diagnostics& diagnostics_;
     std::map<std::string, Fractal> fractals_;
-    std::map<std::string, int> shape_of_;
+    std::vector<ChosenVolumes> chosen_;
     View view_;
     CompiledScene out_;
 };

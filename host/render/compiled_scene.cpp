@@ -16,8 +16,9 @@ bool needs_shadows(const CompiledScene& scene) {
 
 bool needs_mirrors(const CompiledScene& scene) {
     return scene.bounces > 0 &&
-           std::ranges::any_of(scene.objects,
-                               [](const CompiledObject& object) { return object.reflect > 0; });
+           (std::ranges::any_of(scene.objects,
+                                [](const auto& object) { return object.reflect > 0; }) ||
+            std::ranges::any_of(scene.planes, [](const auto& plane) { return plane.reflect > 0; }));
 }
 
 bool needs_plain_features(const CompiledScene& scene) {

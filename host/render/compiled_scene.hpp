@@ -3,6 +3,7 @@
 // makes it, host/render/scene_block rounds it to node words.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -12,6 +13,8 @@
 
 #include "dsp_kernels/scene_block.hpp"
 #include "host/fractal/affine.hpp"
+#include "host/fractal/polytope.hpp"
+#include "host/render/compiled_floor.hpp"
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {
@@ -20,10 +23,13 @@ namespace pxm::host {
 struct CompiledVolume {
     kernels::Volume kind = kernels::Volume::sphere;
     glm::dvec3 center{0.0};
-    double radius = 0;  // sphere
+    double radius = 0;  // sphere, cone, cylinder
     glm::dvec3 low{0.0};
-    glm::dvec3 high{0.0};  // box
+    glm::dvec3 high{0.0};                // box
+    std::array<glm::dvec3, 3> half{};    // oriented: half edges, perpendicular
+    std::vector<HalfSpace> half_spaces;  // hull
     double diameter = 0;
+    bool operator==(const CompiledVolume&) const = default;
 };
 
 struct CompiledSet {
@@ -40,10 +46,10 @@ struct CompiledMap {
     std::vector<glm::dvec3> lost;  // unit axes that the map squashed before it was lifted
 };
 
-/// A linear fractal with its volumes: the master object that objects are instances of. Its
-/// coordinates are chosen such that its ball is about the unit ball.
+/// A linear fractal with its volumes, or one volume without maps: the master object that objects
+/// are instances of. Its coordinates are chosen such that its ball is about the unit ball.
 struct CompiledShape {
-    std::string ifs;
+    std::string ifs;  // empty: a volume that is an object itself
     std::vector<std::string> map_names;
     std::vector<CompiledMap> maps;
     std::vector<CompiledSet> sets;
@@ -87,9 +93,13 @@ struct CompiledScene {
     CropWindow crop;
     std::vector<CompiledShape> shapes;
     std::vector<CompiledObject> objects;
+    std::vector<CompiledPlane> planes;
+    std::vector<CompiledTexture> textures;     // those that planes use
+    std::vector<std::uint32_t> texture_words;  // the texture memory of every node
     std::vector<CompiledLight> lights;
     CompiledCamera camera;
     kernels::ShadingMode shading = kernels::ShadingMode::constant;
+    kernels::Method method = kernels::Method::heap;
     double detail = 1;  // terminal at so many pixels; with covers tau_min
     double fade = 1;    // covers begin to show at so many pixels: tau_max
     bool covers = false;

@@ -120,11 +120,23 @@ std::string ray_text(kernels::RayKind kind, const kernels::Ray<Real>& ray) {
                        to_double(ray.direction.z));
 }
 
+/// "plane floor at 3.25"; without a name its number from 1.
 template <class Real>
-std::string end_text(const kernels::PixelResult<Real>& result) {
-    const char* end = result.found.outcome == kernels::Outcome::miss ? "a miss"
-                      : result.counts.capped > 0                     ? "the cap on cells"
-                                                                     : "a terminal cell";
+std::string plane_text(const CompiledScene& scene, const std::vector<std::uint32_t>& block,
+                       const kernels::PlaneHit<Real>& hit) {
+    const std::uint32_t plane = plane_index<Real>(block, hit.plane);
+    const std::string& name = scene.planes[plane].name;
+    return fmt::format("plane {} at {:.9g}", name.empty() ? fmt::format("{}", plane + 1) : name,
+                       to_double(hit.t) * scene.unit);
+}
+
+template <class Real>
+std::string end_text(const CompiledScene& scene, const std::vector<std::uint32_t>& block,
+                     const kernels::PixelResult<Real>& result) {
+    const std::string end = result.floor.plane != 0 ? plane_text(scene, block, result.floor)
+                            : result.found.outcome == kernels::Outcome::miss ? "a miss"
+                            : result.counts.capped > 0                       ? "the cap on cells"
+                                                                             : "a terminal cell";
     return fmt::format(
         "ended by {}; {} volumes tested, at most {} cells in the heap; colour {:.6g} {:.6g} "
         "{:.6g}\n",
@@ -135,7 +147,7 @@ std::string end_text(const kernels::PixelResult<Real>& result) {
 template <class Real, kernels::Features features>
 std::string describe(const CompiledScene& scene, long x, long y) {
     const std::vector<std::uint32_t> block = make_scene_block<Real>(scene);
-    WatchedNode<Real> node(block, scene.heap, sizeof(kernels::Cell<Real>));
+    WatchedNode<Real> node(block, scene.texture_words, scene.heap, sizeof(kernels::Cell<Real>));
     kernels::Heap<WatchedNode<Real>> heap(node);
     auto frame = kernels::read_frame_constants(node);
     kernels::PixelResult<Real> result;
@@ -158,7 +170,7 @@ std::string describe(const CompiledScene& scene, long x, long y) {
             text += event_text(scene, block, node, search, *event);
         }
     }
-    return text + end_text(result);
+    return text + end_text(scene, block, result);
 }
 
 template <class Real>

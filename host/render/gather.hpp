@@ -36,23 +36,32 @@ void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& 
     pixel.volumes = static_cast<std::uint32_t>(result.counts.volumes_tested);
     pixel.heap = static_cast<std::uint32_t>(result.counts.heap_peak);
     pixel.alpha = std::min(number(result.opacity), 1.0F);
-    const bool hit = result.found.outcome != kernels::Outcome::miss;
-    if (hit) {
-        const kernels::Cell<Real>& cell = result.found.cell;
-        pixel.z = static_cast<float>(to_double(cell.key) * scene.unit);
+    const bool plane = result.floor.plane != 0;
+    const bool cell = !plane && result.found.outcome != kernels::Outcome::miss;
+    if (plane || cell) {
+        const Real t = plane ? result.floor.t : result.found.cell.key;
+        pixel.z = static_cast<float>(to_double(t) * scene.unit);
         pixel.normal[0] = number(result.normal.x);
         pixel.normal[1] = number(result.normal.y);
         pixel.normal[2] = number(result.normal.z);
-        pixel.object = static_cast<std::int32_t>(object_index<Real>(block, cell.object));
-        pixel.level = cell.level;
-        pixel.word = word_hash(cell);
+    }
+    if (plane) {
+        pixel.object = static_cast<std::int32_t>(scene.objects.size() +
+                                                 plane_index<Real>(block, result.floor.plane));
+        pixel.level = 0;
+    }
+    if (cell) {
+        pixel.object =
+            static_cast<std::int32_t>(object_index<Real>(block, result.found.cell.object));
+        pixel.level = result.found.cell.level;
+        pixel.word = word_hash(result.found.cell);
     }
     if (result.counts.capped > 0) pixel.alarms |= alarm_capped;
     ++rays.pixels;
     rays.eye_rays += scene.samples.size();
     rays.light_rays += result.rays.light;
     rays.reflect_rays += result.rays.reflect;
-    rays.hits += hit ? 1 : 0;
+    rays.hits += plane || cell ? 1 : 0;
     rays.volumes_tested += result.counts.volumes_tested;
     rays.heap_pushes += result.counts.heap_pushes;
     rays.heap_peak = std::max(rays.heap_peak, result.counts.heap_peak);

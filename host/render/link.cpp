@@ -30,6 +30,11 @@ bool any_light(const CompiledScene& scene, kernels::LightKind kind) {
                                [kind](const CompiledLight& light) { return light.kind == kind; });
 }
 
+bool any_texture(const CompiledScene& scene, kernels::TextureKind kind) {
+    return std::ranges::any_of(
+        scene.textures, [kind](const CompiledTexture& texture) { return texture.kind == kind; });
+}
+
 std::int64_t measured_bytes(const std::string& name) {
     const auto found = std::ranges::find(module_table, name, &MeasuredModule::name);
     assert(found != module_table.end());
@@ -48,7 +53,10 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
     });
     const bool lifted = std::ranges::any_of(scene.shapes, &CompiledShape::lifted);
     const bool plain = needs_plain_features(scene);
-    const bool shadows = objects && needs_shadows(scene);
+    const bool planes = !scene.planes.empty();
+    const bool surfaces = objects || planes;
+    const char* nothing = "no objects or planes";
+    const bool shadows = surfaces && needs_shadows(scene);
     take("pixel_program", true, "every node has pixels", "");
     take("trace", plain, "the first cell of each eye ray is all that counts",
          "trace_all takes its place");
@@ -59,16 +67,31 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
     take("orthographic", !perspective, "an orthographic camera", "a perspective camera");
     take("intersect", true, "every ray looks for a cell", "");
     take("heap", true, "where intersect keeps cells", "");
+    take("intersect_fast", scene.method == kernels::Method::fast, "intersect: fast",
+         "intersect: heap");
     take("descend", objects, "ifs objects", "no objects");
     take("next_after", objects, "a heap may overflow", "no objects");
     take("sphere", any_volume(scene, kernels::Volume::sphere), "bounding spheres",
          "no bounding sphere");
     take("box", any_volume(scene, kernels::Volume::box), "bounding boxes", "no bounding box");
+    take("oriented", any_volume(scene, kernels::Volume::oriented),
+         "bounding boxes in axes of their own", "no box in axes of its own");
+    take("hull", any_volume(scene, kernels::Volume::hull), "bounding hulls", "no bounding hull");
+    take("cone", any_volume(scene, kernels::Volume::cone), "cones", "no cone");
+    take("cylinder", any_volume(scene, kernels::Volume::cylinder), "cylinders", "no cylinder");
     take("polar", polar, "maps that are no similitudes, or lipschitz: polar",
          "Lipschitz constants by product or determinant");
     take("flatness", lifted, "lifted singular maps", "no singular map");
     take("shade", objects, "objects are shaded", "no objects");
-    take("illuminate", objects, "objects are lit", "no objects");
+    take("plane", planes, "planes", "no planes");
+    take("texture", !scene.textures.empty(), "planes have textures", "no textures");
+    take("texture_image", any_texture(scene, kernels::TextureKind::image), "textures from files",
+         "no texture from a file");
+    take("texture_wood", any_texture(scene, kernels::TextureKind::wood), "wooden textures",
+         "no wooden texture");
+    take("texture_inclusion", any_texture(scene, kernels::TextureKind::inclusion),
+         "flat attractors as textures", "no texture is an ifs");
+    take("illuminate", surfaces, "surfaces are lit", nothing);
     take("covers", needs_covers(scene), "local covers or translucent objects",
          "covers: off, and no translucent object");
     take("shadow", shadows, "lights that cast shadows", "no light casts shadows");
@@ -80,8 +103,8 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
                                         }),
          "point lights that cast shadows", "no point light casts shadows");
     take("mirror", needs_mirrors(scene), "surfaces that reflect", "no surface reflects");
-    take("point_light", objects && any_light(scene, kernels::LightKind::point), "point lights",
-         objects ? "directional lights only" : "no objects");
+    take("point_light", surfaces && any_light(scene, kernels::LightKind::point), "point lights",
+         surfaces ? "directional lights only" : nothing);
 }
 
 /// The deepest chain of calls from a function on, through modules that are in.

@@ -94,6 +94,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     refuse(machine.open_frame(width, static_cast<int>(scene.size.rows)), model);
     refuse(machine.load_program(choice.program_bytes, choice.stack_bytes), model);
     refuse(machine.broadcast(block), model);
+    refuse(machine.broadcast_textures(scene.texture_words), model);
     refuse(machine.reserve_heap(static_cast<int>(scene.heap), sizeof(kernels::Cell<Real>)), model);
     result.frame = Frame(scene.size, scene.crop);
     result.load_seconds = seconds_since(start);

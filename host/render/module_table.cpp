@@ -10,138 +10,211 @@ const std::string_view module_table_compiler = "g++ 12.2.0 x86-64";
 
 const std::vector<MeasuredModule> module_table{
     // name, program, read-only data, other data; bytes
-    {"box", 811, 36, 0},
+    {"box", 844, 28, 0},
     {"camera", 294, 0, 0},
-    {"covers", 4198, 28, 0},
-    {"descend", 1144, 4, 0},
+    {"cone", 1002, 28, 0},
+    {"covers", 4030, 12, 0},
+    {"cylinder", 842, 28, 0},
+    {"descend", 1244, 52, 0},
     {"flatness", 959, 24, 0},
     {"heap", 998, 0, 0},
+    {"hull", 758, 12, 0},
     {"illuminate", 20, 0, 0},
     {"intersect", 776, 0, 0},
+    {"intersect_fast", 2777, 20, 0},
     {"mirror", 221, 16, 0},
     {"next_after", 1244, 4, 0},
+    {"oriented", 1069, 32, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 130, 0, 0},
+    {"pixel_program", 145, 0, 0},
+    {"plane", 658, 16, 0},
     {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
-    {"shade", 1759, 20, 0},
+    {"shade", 1801, 68, 0},
     {"shadow", 83, 0, 0},
     {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
-    {"trace", 1618, 12, 0},
-    {"trace_all", 2796, 20, 0},
+    {"texture", 1515, 44, 0},
+    {"texture_image", 944, 12, 0},
+    {"texture_inclusion", 1687, 28, 0},
+    {"texture_wood", 2419, 120, 0},
+    {"trace", 2146, 20, 0},
+    {"trace_all", 3201, 24, 0},
     {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 176, {94, 3}},  // 0
+    {"box", "box_normal", 128, {157, 2, 4}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "intersect_box", 112, {94, 1}},  // 2
-    {"box", "box_normal (part)", 8, {}},  // 3
-    {"camera", "eye_ray", 96, {91, 94, 60, 59}},  // 4
-    {"covers", "next_after", 432, {13, 42, 25, 55, 56, 57, 28, 44, 17}},  // 5
-    {"covers", "covers_along", 768, {46, 5, 13, 44, 14, 18}},  // 6
-    {"covers", "covers_along", 768, {46, 5, 13, 44, 15, 19}},  // 7
-    {"covers", "volume_gauge", 96, {94, 99, 104}},  // 8
-    {"covers", "MissedChildren::shown", 8, {}},  // 9
-    {"covers", "MissedChildren::missed", 48, {8, 21, 67, 27}},  // 10
-    {"covers", "shrunk_for_covers", 96, {91, 94, 100, 29, 104}},  // 11
-    {"covers", "push_children_and_cover", 480, {20, 9, 10, 67, 13, 35, 24, 27}},  // 12
-    {"covers", "Cell::Cell", 8, {}},  // 13
-    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 16, 18}},  // 14
-    {"covers", "walk_heap", 96, {47, 21, 12, 33, 29, 19}},  // 15
-    {"covers", "CollectCovers::operator", 32, {44}},  // 16
-    {"covers", "CoverRule::operator", 464, {20, 21, 9, 10, 13, 24, 29}},  // 17
-    {"covers", "CoverWalk::tell", 32, {42, 16}},  // 18
-    {"covers", "CoverWalk::tell", 32, {42}},  // 19
-    {"descend", "child_cell", 144, {92, 95, 31}},  // 20
-    {"descend", "cell_diameter", 32, {68}},  // 21
-    {"descend", "outermost_cell", 176, {92, 93, 95, 27}},  // 22
-    {"descend", "intersect_volume", 8, {2, 81}},  // 23
-    {"descend", "meet", 112, {23, 11, 26}},  // 24
-    {"descend", "ending", 48, {21, 29}},  // 25
-    {"descend", "approach", 80, {94, 101}},  // 26
-    {"descend", "is_polar", 8, {}},  // 27
-    {"descend", "map_from", 8, {}},  // 28
-    {"descend", "pixel_at", 8, {}},  // 29
-    {"flatness", "undo_squash", 80, {91, 99, 104}},  // 30
-    {"flatness", "keep_thickness", 208, {93, 94, 30, 98, 99, 27, 29, 105}},  // 31
-    {"heap", "cell_words", 8, {}},  // 32
-    {"heap", "Heap::pop", 16, {36, 38, 40}},  // 33
-    {"heap", "Heap::keep", 8, {43}},  // 34
-    {"heap", "Heap::push", 80, {34, 37, 39, 42, 43}},  // 35
-    {"heap", "Heap::swap", 8, {}},  // 36
-    {"heap", "Heap::entry", 8, {}},  // 37
-    {"heap", "Heap::fetch", 8, {43}},  // 38
-    {"heap", "Heap::sift_up", 48, {36, 37, 42}},  // 39
-    {"heap", "Heap::sift_down", 80, {36, 37, 42}},  // 40
-    {"heap", "Heap::Heap", 8, {}},  // 41
-    {"heap", "before", 8, {}},  // 42
-    {"heap", "copy_cell", 32, {32}},  // 43
-    {"heap", "move_cell", 8, {43}},  // 44
-    {"illuminate", "facing", 16, {99}},  // 45
-    {"intersect", "count_heap", 8, {}},  // 46
-    {"intersect", "push_objects", 384, {22, 49, 35, 24}},  // 47
-    {"intersect", "push_children", 416, {20, 67, 49, 35, 24, 27}},  // 48
-    {"intersect", "Cell::Cell", 8, {}},  // 49
-    {"intersect", "intersect", 112, {46, 52, 47, 48, 49, 33, 25}},  // 50
-    {"mirror", "mirrored", 112, {91, 99, 105}},  // 51
-    {"next_after", "next_after", 432, {53, 42, 25, 55, 56, 57, 28, 44}},  // 52
-    {"next_after", "Cell::Cell", 8, {}},  // 53
-    {"next_after", "CellPath::make_again", 688, {20, 67, 53, 38, 24, 27, 28, 44, 58}},  // 54
-    {"next_after", "CellPath::up", 48, {38, 54, 58}},  // 55
-    {"next_after", "CellPath::down", 368, {20, 67, 53, 34, 24, 27, 44}},  // 56
-    {"next_after", "CellPath::start", 32, {22, 24}},  // 57
-    {"next_after", "CellWord::get", 8, {}},  // 58
-    {"orthographic", "orthographic_ray", 32, {91, 94}},  // 59
-    {"perspective", "perspective_ray", 16, {105}},  // 60
-    {"pixel_program", "read_frame_constants", 32, {94}},  // 61
-    {"point_light", "facing_point_light", 944, {20, 70, 93, 94, 67, 22, 23, 72, 63, 64, 74, 100, 45, 102, 26, 27, 28, 44, 65}},  // 62
-    {"point_light", "direction_to_point_light", 80, {104, 105}},  // 63
-    {"point_light", "Cell::Cell", 8, {}},  // 64
-    {"point_light", "AddPointLight::operator", 96, {21, 63, 45, 75, 103}},  // 65
-    {"polar", "jacobi_rotate", 8, {}},  // 66
-    {"polar", "complete_child", 144, {93, 102}},  // 67
-    {"polar", "largest_singular_value", 128, {66, 99, 100}},  // 68
-    {"shade", "surface_at", 112, {72, 74, 105, 76}},  // 69
-    {"shade", "cell_normal", 96, {71, 97, 105}},  // 70
-    {"shade", "volume_normal", 8, {0, 80}},  // 71
-    {"shade", "outermost_diameter", 352, {21, 22, 73}},  // 72
-    {"shade", "Cell::Cell", 8, {}},  // 73
-    {"shade", "blend", 112, {91, 94, 100}},  // 74
-    {"shade", "PathSum::add", 48, {91}},  // 75
-    {"shade", "walk_path", 896, {20, 70, 93, 94, 67, 22, 23, 73, 74, 102, 26, 27, 28, 44, 77}},  // 76
-    {"shade", "AddNormal::operator", 48, {21, 75}},  // 77
-    {"shadow", "search_to_light", 8, {}},  // 78
-    {"shadow_point", "search_from_light", 80, {99, 104, 105}},  // 79
-    {"sphere", "sphere_normal", 96, {91, 94, 104}},  // 80
-    {"sphere", "intersect_sphere", 112, {94, 99, 104}},  // 81
-    {"trace", "PixelStore::byte", 8, {}},  // 82
-    {"trace", "render_pixel", 736, {91, 69, 94, 62, 45, 4, 29, 103, 50, 44}},  // 83
-    {"trace", "pixel_program", 960, {82, 83, 61, 41}},  // 84
-    {"trace_all", "PixelStore::byte", 8, {}},  // 85
-    {"trace_all", "Tracer::shade (part)", 240, {91, 94, 7, 78, 79, 62, 45}},  // 86
-    {"trace_all", "render_pixel", 3472, {91, 89, 90, 4}},  // 87
-    {"trace_all", "pixel_program", 960, {85, 87, 61, 89, 41}},  // 88
-    {"trace_all", "Cell::Cell", 8, {}},  // 89
-    {"trace_all", "Tracer::look_through_covers", 656, {91, 86, 69, 6, 89, 51, 29, 103, 44}},  // 90
-    {"vectors", "add_scaled", 8, {}},  // 91
-    {"vectors", "read_affine", 96, {93, 94}},  // 92
-    {"vectors", "read_linear", 32, {94}},  // 93
-    {"vectors", "read_vector", 8, {}},  // 94
-    {"vectors", "transform_ray", 48, {96, 98}},  // 95
-    {"vectors", "transform_point", 8, {}},  // 96
-    {"vectors", "transform_normal", 64, {99}},  // 97
-    {"vectors", "transform_direction", 8, {}},  // 98
-    {"vectors", "dot", 8, {}},  // 99
-    {"vectors", "scale", 8, {}},  // 100
-    {"vectors", "rebase", 80, {91, 99, 104}},  // 101
-    {"vectors", "compose", 48, {98}},  // 102
-    {"vectors", "point_at", 8, {91}},  // 103
-    {"vectors", "subtract", 8, {}},  // 104
-    {"vectors", "normalize", 64, {99, 100}},  // 105
+    {"box", "decisive_face", 8, {}},  // 2
+    {"box", "intersect_box", 112, {157, 1}},  // 3
+    {"box", "box_normal (part)", 8, {}},  // 4
+    {"camera", "eye_ray", 96, {154, 157, 87, 86}},  // 5
+    {"cone", "cone_normal", 128, {154, 157, 7, 162, 167}},  // 6
+    {"cone", "clip_to_mantle", 8, {}},  // 7
+    {"cone", "intersect_cone", 80, {157, 7, 167}},  // 8
+    {"covers", "next_after", 432, {16, 50, 33, 75, 76, 77, 36, 52, 21}},  // 9
+    {"covers", "covers_along", 768, {57, 9, 16, 52, 18, 22}},  // 10
+    {"covers", "covers_along", 768, {57, 9, 16, 52, 19, 23}},  // 11
+    {"covers", "MissedChildren::shown", 8, {}},  // 12
+    {"covers", "MissedChildren::missed", 80, {157, 29, 96, 162, 35, 167}},  // 13
+    {"covers", "shrunk_for_covers", 96, {154, 157, 163, 37, 167}},  // 14
+    {"covers", "push_children_and_cover", 480, {27, 12, 13, 96, 16, 43, 32, 35}},  // 15
+    {"covers", "Cell::Cell", 8, {}},  // 16
+    {"covers", "ending", 48, {28}},  // 17
+    {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 20, 22}},  // 18
+    {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 23}},  // 19
+    {"covers", "CollectCovers::operator", 32, {52}},  // 20
+    {"covers", "CoverRule::operator", 464, {27, 29, 12, 13, 16, 32, 37}},  // 21
+    {"covers", "CoverWalk::tell", 32, {50, 20}},  // 22
+    {"covers", "CoverWalk::tell", 32, {50}},  // 23
+    {"cylinder", "within_mantle", 8, {}},  // 24
+    {"cylinder", "cylinder_normal", 128, {154, 157, 24, 167}},  // 25
+    {"cylinder", "intersect_cylinder", 96, {157, 24, 167}},  // 26
+    {"descend", "child_cell", 144, {155, 158, 39}},  // 27
+    {"descend", "at_last_level", 8, {}},  // 28
+    {"descend", "cell_diameter", 32, {97}},  // 29
+    {"descend", "outermost_cell", 176, {155, 156, 158, 35}},  // 30
+    {"descend", "intersect_volume", 8, {3, 8, 55, 110, 26, 84}},  // 31
+    {"descend", "meet", 112, {28, 31, 14, 34}},  // 32
+    {"descend", "ending", 48, {28, 29, 37}},  // 33
+    {"descend", "approach", 80, {157, 164}},  // 34
+    {"descend", "is_polar", 8, {}},  // 35
+    {"descend", "map_from", 8, {}},  // 36
+    {"descend", "pixel_at", 8, {}},  // 37
+    {"flatness", "undo_squash", 80, {154, 162, 167}},  // 38
+    {"flatness", "keep_thickness", 208, {156, 157, 38, 161, 162, 35, 37, 168}},  // 39
+    {"heap", "cell_words", 8, {}},  // 40
+    {"heap", "Heap::pop", 16, {44, 46, 48}},  // 41
+    {"heap", "Heap::keep", 8, {51}},  // 42
+    {"heap", "Heap::push", 80, {42, 45, 47, 50, 51}},  // 43
+    {"heap", "Heap::swap", 8, {}},  // 44
+    {"heap", "Heap::entry", 8, {}},  // 45
+    {"heap", "Heap::fetch", 8, {51}},  // 46
+    {"heap", "Heap::sift_up", 48, {44, 45, 50}},  // 47
+    {"heap", "Heap::sift_down", 80, {44, 45, 50}},  // 48
+    {"heap", "Heap::Heap", 8, {}},  // 49
+    {"heap", "before", 8, {}},  // 50
+    {"heap", "copy_cell", 32, {40}},  // 51
+    {"heap", "move_cell", 8, {51}},  // 52
+    {"hull", "cross_plane", 80, {157, 162}},  // 53
+    {"hull", "hull_normal", 128, {53, 157, 167}},  // 54
+    {"hull", "intersect_hull", 112, {53, 157, 167}},  // 55
+    {"illuminate", "facing", 16, {162}},  // 56
+    {"intersect", "count_heap", 8, {}},  // 57
+    {"intersect", "push_objects", 384, {30, 60, 43, 32}},  // 58
+    {"intersect", "push_children", 416, {27, 96, 60, 43, 32, 35}},  // 59
+    {"intersect", "Cell::Cell", 8, {}},  // 60
+    {"intersect", "intersect", 112, {57, 72, 58, 59, 60, 41, 33}},  // 61
+    {"intersect_fast", "project_ray", 192, {155, 157, 158, 162, 164, 167, 168}},  // 62
+    {"intersect_fast", "include_point", 8, {}},  // 63
+    {"intersect_fast", "project_child", 128, {154, 157, 162, 167}},  // 64
+    {"intersect_fast", "search_object", 416, {62, 63, 66, 68, 69, 70}},  // 65
+    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 66
+    {"intersect_fast", "intersect_fast", 416, {65, 61}},  // 67
+    {"intersect_fast", "push_projected", 128, {157, 63, 64, 66}},  // 68
+    {"intersect_fast", "ending", 48, {37}},  // 69
+    {"intersect_fast", "as_cell", 128, {156, 163, 35}},  // 70
+    {"mirror", "mirrored", 112, {154, 162, 168}},  // 71
+    {"next_after", "next_after", 432, {73, 50, 33, 75, 76, 77, 36, 52}},  // 72
+    {"next_after", "Cell::Cell", 8, {}},  // 73
+    {"next_after", "CellPath::make_again", 688, {27, 96, 73, 46, 32, 35, 36, 52, 78}},  // 74
+    {"next_after", "CellPath::up", 48, {46, 74, 78}},  // 75
+    {"next_after", "CellPath::down", 368, {27, 96, 73, 42, 32, 35, 52}},  // 76
+    {"next_after", "CellPath::start", 32, {30, 32}},  // 77
+    {"next_after", "CellWord::get", 8, {}},  // 78
+    {"oriented", "along_axes", 64, {162}},  // 79
+    {"oriented", "clip_to_slab", 8, {}},  // 80
+    {"oriented", "decisive_face", 8, {}},  // 81
+    {"oriented", "oriented_normal", 128, {81, 83, 85}},  // 82
+    {"oriented", "to_oriented_box", 96, {79, 156, 157, 167}},  // 83
+    {"oriented", "intersect_oriented", 80, {80, 83}},  // 84
+    {"oriented", "oriented_normal (part)", 32, {157}},  // 85
+    {"orthographic", "orthographic_ray", 32, {154, 157}},  // 86
+    {"perspective", "perspective_ray", 16, {168}},  // 87
+    {"pixel_program", "read_frame_constants", 32, {157}},  // 88
+    {"plane", "nearest_plane", 96, {157, 162}},  // 89
+    {"plane", "plane_surface", 144, {112, 157, 162, 166, 115}},  // 90
+    {"point_light", "facing_point_light", 944, {27, 99, 156, 157, 96, 30, 31, 101, 92, 93, 103, 163, 56, 165, 34, 35, 36, 52, 94}},  // 91
+    {"point_light", "direction_to_point_light", 80, {167, 168}},  // 92
+    {"point_light", "Cell::Cell", 8, {}},  // 93
+    {"point_light", "AddPointLight::operator", 96, {29, 92, 56, 104, 166}},  // 94
+    {"polar", "jacobi_rotate", 8, {}},  // 95
+    {"polar", "complete_child", 144, {156, 165}},  // 96
+    {"polar", "largest_singular_value", 128, {95, 162, 163}},  // 97
+    {"shade", "surface_at", 112, {101, 103, 168, 105}},  // 98
+    {"shade", "cell_normal", 96, {100, 160, 168}},  // 99
+    {"shade", "volume_normal", 8, {0, 6, 54, 109, 25, 82}},  // 100
+    {"shade", "outermost_diameter", 352, {29, 30, 102}},  // 101
+    {"shade", "Cell::Cell", 8, {}},  // 102
+    {"shade", "blend", 112, {154, 157, 163}},  // 103
+    {"shade", "PathSum::add", 48, {154}},  // 104
+    {"shade", "walk_path", 896, {27, 99, 156, 157, 96, 30, 31, 102, 103, 165, 34, 35, 36, 52, 106}},  // 105
+    {"shade", "AddNormal::operator", 48, {29, 104}},  // 106
+    {"shadow", "search_to_light", 8, {}},  // 107
+    {"shadow_point", "search_from_light", 80, {162, 167, 168}},  // 108
+    {"sphere", "sphere_normal", 96, {154, 157, 167}},  // 109
+    {"sphere", "intersect_sphere", 112, {157, 162, 167}},  // 110
+    {"texture", "in_repeats", 48, {162}},  // 111
+    {"texture", "layer_color", 192, {154, 111, 157, 113, 167}},  // 112
+    {"texture", "texture_color", 48, {130, 118, 157, 122, 116}},  // 113
+    {"texture", "place_of", 8, {}},  // 114
+    {"texture", "footprint", 96, {154, 162, 163, 168}},  // 115
+    {"texture", "is_beyond (part)", 8, {}},  // 116
+    {"texture_image", "neighbours", 8, {}},  // 117
+    {"texture_image", "image_color", 128, {119, 120, 163, 114}},  // 118
+    {"texture_image", "image_level", 208, {117, 120, 121}},  // 119
+    {"texture_image", "mix", 96, {154, 167}},  // 120
+    {"texture_image", "texel", 8, {}},  // 121
+    {"texture_inclusion", "inclusion_color", 96, {154, 157, 124, 167}},  // 122
+    {"texture_inclusion", "largest_stretch", 8, {}},  // 123
+    {"texture_inclusion", "inclusion_coverage", 1552, {125, 126, 114, 127, 128}},  // 124
+    {"texture_inclusion", "outermost_point_cell", 48, {126, 128}},  // 125
+    {"texture_inclusion", "times", 8, {}},  // 126
+    {"texture_inclusion", "Inclusion::is_open", 96, {123, 126, 128}},  // 127
+    {"texture_inclusion", "read_vec2", 8, {}},  // 128
+    {"texture_wood", "pxm::floor_integer", 8, {}},  // 129
+    {"texture_wood", "wood_color", 192, {154, 157, 132, 133, 163, 114, 136, 167}},  // 130
+    {"texture_wood", "ring_darkness", 48, {129}},  // 131
+    {"texture_wood", "board_darkness", 48, {134, 135}},  // 132
+    {"texture_wood", "share_in_stripes", 48, {137}},  // 133
+    {"texture_wood", "noise", 112, {129, 138}},  // 134
+    {"texture_wood", "rings_at", 48, {131, 134}},  // 135
+    {"texture_wood", "scramble", 8, {}},  // 136
+    {"texture_wood", "share_in_stripes (part)", 32, {129}},  // 137
+    {"texture_wood", "noise (part)", 16, {136}},  // 138
+    {"trace", "PixelStore::byte", 8, {}},  // 139
+    {"trace", "render_pixel", 688, {154, 98, 89, 90, 67, 142, 143, 5, 37, 166, 61, 52}},  // 140
+    {"trace", "pixel_program", 976, {139, 140, 88, 49}},  // 141
+    {"trace", "Tracer::shade", 128, {154, 157, 91, 56}},  // 142
+    {"trace", "Tracer::is_most", 8, {}},  // 143
+    {"trace_all", "PixelStore::byte", 8, {}},  // 144
+    {"trace_all", "Tracer::shade (part)", 256, {154, 157, 11, 107, 108, 91, 150, 56}},  // 145
+    {"trace_all", "render_pixel", 3440, {148, 149, 5}},  // 146
+    {"trace_all", "pixel_program", 976, {144, 146, 88, 148, 49}},  // 147
+    {"trace_all", "Cell::Cell", 8, {}},  // 148
+    {"trace_all", "Tracer::look_along", 128, {154, 90, 150, 151, 152, 153, 166}},  // 149
+    {"trace_all", "Tracer::meets_plane", 8, {89}},  // 150
+    {"trace_all", "Tracer::look_through_covers", 560, {98, 10, 148, 152, 153, 37, 166, 52}},  // 151
+    {"trace_all", "Tracer::shade", 160, {154, 145, 71}},  // 152
+    {"trace_all", "Tracer::is_most", 8, {}},  // 153
+    {"vectors", "add_scaled", 8, {}},  // 154
+    {"vectors", "read_affine", 96, {156, 157}},  // 155
+    {"vectors", "read_linear", 32, {157}},  // 156
+    {"vectors", "read_vector", 8, {}},  // 157
+    {"vectors", "transform_ray", 48, {159, 161}},  // 158
+    {"vectors", "transform_point", 8, {}},  // 159
+    {"vectors", "transform_normal", 64, {162}},  // 160
+    {"vectors", "transform_direction", 8, {}},  // 161
+    {"vectors", "dot", 8, {}},  // 162
+    {"vectors", "scale", 8, {}},  // 163
+    {"vectors", "rebase", 80, {154, 162, 167}},  // 164
+    {"vectors", "compose", 48, {161}},  // 165
+    {"vectors", "point_at", 8, {154}},  // 166
+    {"vectors", "subtract", 8, {}},  // 167
+    {"vectors", "normalize", 64, {162, 163}},  // 168
 };
 // clang-format on
 

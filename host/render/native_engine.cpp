@@ -61,7 +61,8 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     {
         RayStatistics rays;
         try {
-            NativeNode<Real> node(block, scene.heap, sizeof(kernels::Cell<Real>));
+            NativeNode<Real> node(block, scene.texture_words, scene.heap,
+                                  sizeof(kernels::Cell<Real>));
 #pragma omp for schedule(dynamic, 4) nowait
             for (long tile = 0; tile < tiles; ++tile) {
                 if (stopped.load(std::memory_order_relaxed)) continue;

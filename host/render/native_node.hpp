@@ -11,7 +11,7 @@
 
 namespace pxm::host {
 
-/// Reads the scene block in place; a heap of its own. One per thread.
+/// Reads the scene block and the textures in place; a heap of its own. One per thread.
 template <class Real_>
 class NativeNode {
   public:
@@ -19,8 +19,10 @@ class NativeNode {
     static constexpr bool watched = false;
 
     /// `entry_bytes` is the size of the records that will be asked for.
-    NativeNode(std::span<const std::uint32_t> block, long heap_capacity, std::size_t entry_bytes)
+    NativeNode(std::span<const std::uint32_t> block, std::span<const std::uint32_t> textures,
+               long heap_capacity, std::size_t entry_bytes)
         : block_(block.data()),
+          textures_(textures.data()),
           heap_capacity_(static_cast<int>(heap_capacity)),
           order_(static_cast<std::size_t>(heap_capacity)),
           records_(static_cast<std::size_t>(heap_capacity) * entry_bytes) {}
@@ -33,6 +35,9 @@ class NativeNode {
         for (std::uint32_t i = 0; i < real_words<Real>; ++i) words[i] = block_[address + i];
         return decode<Real>(words);
     }
+    [[nodiscard]] std::uint32_t texture_word(std::uint32_t address) const noexcept {
+        return textures_[address];
+    }
     [[nodiscard]] int heap_capacity() const noexcept { return heap_capacity_; }
     [[nodiscard]] std::uint32_t* heap_order() noexcept { return order_.data(); }
     template <class Record>
@@ -43,6 +48,7 @@ class NativeNode {
 
   private:
     const std::uint32_t* block_;
+    const std::uint32_t* textures_;
     int heap_capacity_;
     std::vector<std::uint32_t> order_;
     std::vector<std::byte> records_;

@@ -1,46 +1,18 @@
 #include "host/render/scene_block.hpp"
 
 #include <bit>
+#include <glm/geometric.hpp>
 
 #include "dsp_kernels/flatness.hpp"
+#include "dsp_kernels/floor_block.hpp"
 #include "host/fractal/lipschitz.hpp"
+#include "host/render/block_writer.hpp"
+#include "host/render/floor_block.hpp"
 #include "pxm/real.hpp"
 
 namespace pxm::host {
 
 namespace {
-
-/// Grows a block record by record and fills fields in by address.
-template <class Real>
-class BlockWriter {
-  public:
-    /// Room for so many words; returns their address.
-    std::uint32_t grow(std::size_t words) {
-        const auto address = static_cast<std::uint32_t>(words_.size());
-        words_.insert(words_.end(), words, 0U);
-        return address;
-    }
-    void integer(std::uint32_t address, std::uint32_t value) { words_[address] = value; }
-    void real(std::uint32_t address, double value) {
-        for (const std::uint32_t word : encode(from_double<Real>(value))) words_[address++] = word;
-    }
-    void vector(std::uint32_t address, const glm::dvec3& v) {
-        for (int i = 0; i < 3; ++i) real(address + static_cast<std::uint32_t>(i) * step, v[i]);
-    }
-    void linear(std::uint32_t address, const glm::dmat3& m) {
-        for (int i = 0; i < 3; ++i)
-            vector(address + static_cast<std::uint32_t>(3 * i) * step, m[i]);
-    }
-    void affine(std::uint32_t address, const Affine& map) {
-        linear(address, map.linear);
-        vector(address + 9 * step, map.translation);
-    }
-    std::vector<std::uint32_t> take() { return std::move(words_); }
-
-  private:
-    static constexpr std::uint32_t step = real_words<Real>;
-    std::vector<std::uint32_t> words_;
-};
 
 template <class Real>
 void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
@@ -54,6 +26,7 @@ void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.integer(Header::shading, static_cast<std::uint32_t>(scene.shading));
     block.integer(Header::projection, static_cast<std::uint32_t>(scene.camera.projection));
     block.integer(Header::cell_cap, scene.cell_cap);
+    block.integer(Header::method, static_cast<std::uint32_t>(scene.method));
     block.vector(Header::eye, {0, 0, 0});
     block.vector(Header::corner, scene.camera.corner);
     block.vector(Header::across, scene.camera.across);
@@ -73,6 +46,53 @@ std::uint32_t symbol_bits(std::size_t maps) {
     return maps < 3 ? 1 : static_cast<std::uint32_t>(std::bit_width(maps - 1));
 }
 
+/// Writes what the volume of the follow set at `address` is; may add a record of its own.
+template <class Real>
+void write_volume(BlockWriter<Real>& block, std::uint32_t address, const CompiledVolume& volume) {
+    constexpr std::uint32_t R = real_words<Real>;
+    using FollowSet = kernels::FollowSetRecord<R>;
+    block.integer(address + FollowSet::volume, static_cast<std::uint32_t>(volume.kind));
+    block.vector(address + FollowSet::center, volume.center);
+    block.real(address + FollowSet::diameter, volume.diameter);
+    switch (volume.kind) {
+        case kernels::Volume::sphere:
+        case kernels::Volume::cone:
+        case kernels::Volume::cylinder:
+            block.real(address + FollowSet::radius, volume.radius);
+            return;
+        case kernels::Volume::box:
+            block.vector(address + FollowSet::low, volume.low);
+            block.vector(address + FollowSet::high, volume.high);
+            return;
+        case kernels::Volume::oriented: {
+            const std::uint32_t shape = block.grow(kernels::OrientedRecord<R>::words);
+            block.integer(address + FollowSet::shape, shape);
+            std::uint32_t axis = shape + kernels::OrientedRecord<R>::axes;
+            for (const glm::dvec3& half : volume.half) {
+                block.vector(axis, half / glm::dot(half, half));
+                axis += 3 * R;
+            }
+            return;
+        }
+        case kernels::Volume::hull: {
+            using HalfSpaceOf = kernels::HalfSpaceRecord<R>;
+            const std::size_t count = volume.half_spaces.size();
+            const std::uint32_t shape =
+                block.grow(kernels::HullRecord<R>::words + count * HalfSpaceOf::words);
+            block.integer(address + FollowSet::shape, shape);
+            block.integer(shape + kernels::HullRecord<R>::count, static_cast<std::uint32_t>(count));
+            std::uint32_t plane = shape + kernels::HullRecord<R>::half_spaces;
+            for (const HalfSpace& side : volume.half_spaces) {
+                block.vector(plane + HalfSpaceOf::normal, side.normal);
+                block.real(plane + HalfSpaceOf::offset,
+                           side.offset - glm::dot(side.normal, volume.center));
+                plane += HalfSpaceOf::words;
+            }
+            return;
+        }
+    }
+}
+
 /// Writes a shape's maps and follow sets; returns the address of its start set.
 template <class Real>
 std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) {
@@ -83,17 +103,8 @@ std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) 
     for (const CompiledSet& set : shape.sets) {
         const std::uint32_t address = block.grow(FollowSet::words + set.maps.size());
         sets.push_back(address);
-        const CompiledVolume& volume = set.volume;
-        block.integer(address + FollowSet::volume, static_cast<std::uint32_t>(volume.kind));
         block.integer(address + FollowSet::map_count, static_cast<std::uint32_t>(set.maps.size()));
-        block.vector(address + FollowSet::center, volume.center);
-        if (volume.kind == kernels::Volume::sphere) {
-            block.real(address + FollowSet::radius, volume.radius);
-        } else {
-            block.vector(address + FollowSet::low, volume.low);
-            block.vector(address + FollowSet::high, volume.high);
-        }
-        block.real(address + FollowSet::diameter, volume.diameter);
+        write_volume(block, address, set.volume);
         std::uint32_t entry = address + FollowSet::maps;
         for (const int map : set.maps) {
             block.integer(entry++, maps + static_cast<std::uint32_t>(map) * Map::words);
@@ -195,6 +206,7 @@ std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
         object_address += Object::words;
     }
     write_lights(block, scene);
+    write_floor(block, scene);
     write_samples(block, scene);
     return block.take();
 }
@@ -204,6 +216,13 @@ std::uint32_t object_index(const std::vector<std::uint32_t>& block, std::uint32_
     using Header = kernels::HeaderRecord<real_words<Real>>;
     using Object = kernels::ObjectRecord<real_words<Real>>;
     return (address - block[Header::objects]) / Object::words;
+}
+
+template <class Real>
+std::uint32_t plane_index(const std::vector<std::uint32_t>& block, std::uint32_t address) {
+    using Header = kernels::HeaderRecord<real_words<Real>>;
+    using Plane = kernels::PlaneRecord<real_words<Real>>;
+    return (address - block[Header::planes]) / Plane::words;
 }
 
 std::uint64_t block_hash(const std::vector<std::uint32_t>& block) {
@@ -225,5 +244,8 @@ template std::vector<std::uint32_t> make_scene_block<double>(const CompiledScene
 template std::uint32_t object_index<dsp32::Float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t object_index<float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t object_index<double>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t plane_index<dsp32::Float>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t plane_index<float>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t plane_index<double>(const std::vector<std::uint32_t>&, std::uint32_t);
 
 }  // namespace pxm::host

@@ -18,6 +18,11 @@ template <class Real>
 [[nodiscard]] std::uint32_t object_index(const std::vector<std::uint32_t>& block,
                                          std::uint32_t address);
 
+/// The same for the plane records.
+template <class Real>
+[[nodiscard]] std::uint32_t plane_index(const std::vector<std::uint32_t>& block,
+                                        std::uint32_t address);
+
 /// p never falls below this share of an object's diameter (design decision 4).
 template <class Real>
 [[nodiscard]] double smallest_pixel_share();

@@ -2,121 +2,163 @@
 
 #include <fmt/format.h>
 
-#include <glm/geometric.hpp>
-#include <numbers>
+#include <algorithm>
+#include <array>
 #include <optional>
+
+#include "host/fractal/short_by.hpp"
+#include "host/render/bounding_volume.hpp"
+#include "host/render/computed_volume.hpp"
+#include "host/render/shape.hpp"
+#include "host/render/trial.hpp"
 
 namespace pxm::host {
 
 namespace {
 
-CompiledVolume sphere(const glm::dvec3& center, double radius) {
-    CompiledVolume volume;
-    volume.kind = kernels::Volume::sphere;
-    volume.center = center;
-    volume.radius = radius;
-    volume.low = center - radius;
-    volume.high = center + radius;
-    volume.diameter = 2 * radius;
-    return volume;
-}
+constexpr double dear = 100;             // tests a ray: a reason to try more than spheres and boxes
+constexpr double clearly_cheaper = 0.5;  // oriented boxes and hulls: else spheres and boxes stay
+constexpr double hopeless = 1000;        // tests a ray, where ...
+constexpr double much_dearer = 4;        // ... computed volumes need so many times fewer
 
-CompiledVolume box(const glm::dvec3& low, const glm::dvec3& high) {
-    CompiledVolume volume;
-    volume.kind = kernels::Volume::box;
-    volume.center = (low + high) / 2.0;
-    volume.low = low;
-    volume.high = high;
-    volume.diameter = glm::length(high - low);
-    return volume;
-}
+using Volumes = std::vector<CompiledVolume>;
 
-/// Whether a box has no thickness to speak of along an axis.
-bool flat_along(const Box& bounds, int axis) {
-    constexpr double flat = 1.0 / 1024;  // of the diagonal
-    return bounds.high[axis] - bounds.low[axis] < flat * glm::length(bounds.high - bounds.low);
-}
-
-/// A computed box. A flat attractor's box is given some thickness: where a ray crosses a box that
-/// has none, its interval is a point, and rounding would part it from its parent's.
-CompiledVolume computed_box(const Box& bounds) {
-    constexpr double thickness = 1.0 / 4;  // of the diagonal: a terminal cell's is p / 4
-    const glm::dvec3 size = bounds.high - bounds.low;
-    glm::dvec3 margin{0.0};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!flat_along(bounds, axis)) continue;
-        margin[axis] = (thickness * glm::length(size) - size[axis]) / 2;
+std::optional<kernels::Volume> kind_asked_for(VolumeKind kind) {
+    switch (kind) {
+        case VolumeKind::sphere:
+            return kernels::Volume::sphere;
+        case VolumeKind::box:
+            return kernels::Volume::box;
+        case VolumeKind::oriented:
+            return kernels::Volume::oriented;
+        case VolumeKind::hull:
+            return kernels::Volume::hull;
+        case VolumeKind::automatic:
+            break;
     }
-    return box(bounds.low - margin, bounds.high + margin);
+    return std::nullopt;
 }
 
-/// The mean area of a volume's shadow: what a ray in a random direction has to hit (Cauchy: a
-/// quarter of the surface of a convex body).
-double mean_shadow(const Ball& ball) { return std::numbers::pi * ball.radius * ball.radius; }
-double mean_shadow(const Box& volume) {
-    const glm::dvec3 e = volume.high - volume.low;
-    return (e.x * e.y + e.y * e.z + e.z * e.x) / 2;
-}
-
-VolumeKind computed_kind(VolumeKind kind, const Bounds& outermost) {
-    if (kind == VolumeKind::sphere || kind == VolumeKind::box) return kind;
-    // Spheres stay a pixel thick down to the last cell: curves and sheets edge on are not missed.
-    for (int axis = 0; axis < 3; ++axis) {
-        if (flat_along(outermost.box, axis)) return VolumeKind::sphere;
+/// Volumes of all follow sets of a system, and what they cost.
+class Choice {
+  public:
+    Choice(const Rifs& rifs, const std::vector<Bounds>& bounds, std::optional<long> levels)
+        : rifs_(rifs), bounds_(bounds), computer_(rifs, bounds), start_(rifs.start) {
+        if (levels) levels_ = static_cast<std::uint32_t>(std::min<long>(*levels, levels_ - 1));
     }
-    return mean_shadow(outermost.ball) <= mean_shadow(outermost.box) ? VolumeKind::sphere
-                                                                     : VolumeKind::box;
+
+    Volumes of_kind(kernels::Volume kind) {
+        Volumes volumes;
+        for (std::size_t set = 0; set < bounds_.size(); ++set) {
+            volumes.push_back(computer_.make(kind, set));
+        }
+        return volumes;
+    }
+
+    /// Spheres or boxes, as they cost less; oriented boxes or hulls where these cost far more.
+    Volumes cheapest() {
+        Volumes best = of_kind(kernels::Volume::sphere);
+        // Spheres stay a pixel thick down to the last cell: curves and sheets edge on are not
+        // missed.
+        if (is_flat(bounds_[start_].box)) return best;
+        double least = cost(best);
+        const auto try_kind = [&](kernels::Volume kind) {
+            Volumes volumes = of_kind(kind);
+            const double needed = cost(volumes);
+            if (!(needed < least)) return;
+            least = needed;
+            best = std::move(volumes);
+        };
+        try_kind(kernels::Volume::box);
+        if (least < dear) return best;
+        least *= clearly_cheaper;
+        try_kind(kernels::Volume::oriented);
+        try_kind(kernels::Volume::hull);
+        return best;
+    }
+
+    /// A declared volume, and in sets that it is not for what suits it.
+    Volumes with_declared(const CompiledVolume& declared) {
+        const bool simple =
+            declared.kind == kernels::Volume::sphere || declared.kind == kernels::Volume::box;
+        Volumes volumes{declared};
+        if (bounds_.size() > 1) volumes = simple ? of_kind(declared.kind) : cheapest();
+        volumes[start_] = declared;
+        return volumes;
+    }
+
+    [[nodiscard]] double cost(const Volumes& volumes) const {
+        const Frame frame = frame_around(bounds_[start_].ball);
+        const auto method = choose_lipschitz(LipschitzMethod::automatic, rifs_);
+        return trial_cost(make_shape(rifs_, volumes, frame, method), levels_);
+    }
+
+  private:
+    const Rifs& rifs_;
+    const std::vector<Bounds>& bounds_;
+    VolumeComputer computer_;
+    std::size_t start_;
+    std::uint32_t levels_ = kernels::unlimited_levels;
+};
+
+const char* name_of(const DeclaredVolume& volume) {
+    constexpr std::array names{"volume", "sphere", "box", "cone", "cylinder", "hull"};
+    return names[volume.index()];
 }
 
-/// The declared volume if it can be used; else nothing, with a warning that says why.
-std::optional<CompiledVolume> declared_volume(const ObjectBlock& object, const Rifs& rifs,
-                                              const std::vector<Bounds>& bounds,
-                                              Diagnostics& diagnostics) {
-    const auto replaced = [&](const char* what, double by) {
+/// The volumes that a scene declares if they can be used; else nothing, with a warning that says
+/// why.
+std::optional<Volumes> declared_volumes(const ObjectBlock& object, const Rifs& rifs,
+                                        const std::vector<Bounds>& bounds, Choice& choice,
+                                        Diagnostics& diagnostics) {
+    const DeclaredVolume& declared = *object.volume;
+    const char* name = name_of(declared);
+    const double by = short_by(rifs, bounds, rifs.start, declared);
+    if (by > 0) {
         diagnostics.warning(
             object.volume_position,
-            fmt::format("the {} of object \"{}\" does not contain the attractor (short by {:.3g}): "
-                        "a computed volume is used instead",
-                        what, object.name, by));
-    };
-    if (const auto* ball = std::get_if<SphereVolume>(&*object.volume)) {
-        const double by = short_by(rifs, bounds, rifs.start, *ball);
-        if (by <= 0) return sphere(ball->center, ball->radius);
-        replaced("sphere", by);
-    } else if (const auto* corners = std::get_if<BoxVolume>(&*object.volume)) {
-        const double by = short_by(rifs, bounds, rifs.start, *corners);
-        if (by <= 0) return box(corners->low, corners->high);
-        replaced("box", by);
-    } else if (!std::holds_alternative<AutoVolume>(*object.volume)) {
-        const bool cone = std::holds_alternative<ConeVolume>(*object.volume);
-        diagnostics.warning(object.volume_position,
-                            fmt::format("{} volumes are not supported yet: a computed volume is "
-                                        "used for object \"{}\" instead",
-                                        cone ? "cone" : "cylinder", object.name));
+            fmt::format("the {} of object \"{}\" does not contain the attractor (short by "
+                        "{:.3g}): a computed volume is used instead",
+                        name, object.name, by));
+        return std::nullopt;
     }
+    Volumes volumes = choice.with_declared(primitive_volume(declared));
+    const double cost = choice.cost(volumes);
+    if (cost < hopeless || cost < much_dearer * choice.cost(choice.cheapest())) return volumes;
+    diagnostics.warning(
+        object.volume_position,
+        fmt::format("the {} of object \"{}\" is so loose that a ray would meet thousands of "
+                    "cells: a computed volume is used instead; with fewer 'levels' it would do",
+                    name, object.name));
     return std::nullopt;
 }
 
 }  // namespace
 
+CompiledVolume primitive_volume(const DeclaredVolume& declared) {
+    if (const auto* ball = std::get_if<SphereVolume>(&declared)) {
+        return sphere_volume(ball->center, ball->radius);
+    }
+    if (const auto* corners = std::get_if<BoxVolume>(&declared)) {
+        return box_volume(corners->low, corners->high);
+    }
+    return std::holds_alternative<ConeVolume>(declared) ? cone_volume() : cylinder_volume();
+}
+
 std::vector<CompiledVolume> choose_volumes(const ObjectBlock& object, VolumeKind kind,
                                            const Rifs& rifs, const std::vector<Bounds>& bounds,
                                            Diagnostics& diagnostics) {
-    std::optional<CompiledVolume> declared;
-    if (object.volume && kind == VolumeKind::automatic) {
-        declared = declared_volume(object, rifs, bounds, diagnostics);
+    Choice choice(rifs, bounds, object.levels);
+    if (const auto asked_for = kind_asked_for(kind)) return choice.of_kind(*asked_for);
+    const DeclaredVolume declared = object.volume.value_or(AutoVolume{});
+    if (std::holds_alternative<HullVolume>(declared)) {
+        return choice.of_kind(kernels::Volume::hull);
     }
-    VolumeKind chosen = computed_kind(kind, bounds[static_cast<std::size_t>(rifs.start)]);
-    if (declared) {
-        chosen = declared->kind == kernels::Volume::sphere ? VolumeKind::sphere : VolumeKind::box;
+    if (!std::holds_alternative<AutoVolume>(declared)) {
+        auto volumes = declared_volumes(object, rifs, bounds, choice, diagnostics);
+        if (volumes) return *volumes;
     }
-    std::vector<CompiledVolume> volumes;
-    for (const Bounds& b : bounds) {
-        volumes.push_back(chosen == VolumeKind::sphere ? sphere(b.ball.center, b.ball.radius)
-                                                       : computed_box(b.box));
-    }
-    if (declared) volumes[static_cast<std::size_t>(rifs.start)] = *declared;
-    return volumes;
+    return choice.cheapest();
 }
 
 }  // namespace pxm::host

@@ -1,4 +1,4 @@
-// Which bounding volume each follow set of an object gets: declared, or computed, sphere or box.
+// Which bounding volume each follow set of an object gets: declared or computed, and of which kind.
 #pragma once
 
 #include <vector>
@@ -12,12 +12,16 @@
 namespace pxm::host {
 
 /// One volume per follow set, in the coordinates of the ifs block. A declared volume stands for the
-/// start set (for all sets if there is only one) if it contains the attractor; if not, a computed
-/// one does and a warning says by how much it fell short. `kind` other than automatic overrides
-/// what is declared.
+/// start set (for all sets if there is only one) if it contains the attractor and rays do not meet
+/// thousands of cells; if not, a computed one does and a warning says why, and by how much it fell
+/// short. `kind` other than automatic overrides what is declared.
 [[nodiscard]] std::vector<CompiledVolume> choose_volumes(const ObjectBlock& object, VolumeKind kind,
                                                          const Rifs& rifs,
                                                          const std::vector<Bounds>& bounds,
                                                          Diagnostics& diagnostics);
+
+/// The volume of an object without an ifs, exactly as declared. Precondition: neither auto nor
+/// hull.
+[[nodiscard]] CompiledVolume primitive_volume(const DeclaredVolume& declared);
 
 }  // namespace pxm::host

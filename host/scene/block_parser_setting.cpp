@@ -21,8 +21,10 @@ void BlockParser::plane_directive(PlaneBlock& plane, const Token& word) {
     if (word.text == "color") plane.color = values_.rgb();
     if (word.text == "reflect") plane.reflect = values_.number();
     if (word.text == "texture") {
-        plane.texture_position = tokens_.peek().position;
-        plane.texture = values_.name("a texture");
+        do {
+            const Position position = tokens_.peek().position;
+            plane.textures.push_back({values_.name("a texture"), position});
+        } while (tokens_.accept(','));
     }
 }
 

@@ -48,9 +48,8 @@ void check_names(const Scene& scene, Diagnostics& diagnostics) {
     for (const ObjectBlock& object : scene.objects)
         if (object.ifs) check_reference("ifs", *object.ifs, object.ifs_position, ifs, diagnostics);
     for (const PlaneBlock& plane : scene.planes)
-        if (plane.texture)
-            check_reference("texture", *plane.texture, plane.texture_position, textures,
-                            diagnostics);
+        for (const TextureReference& texture : plane.textures)
+            check_reference("texture", texture.name, texture.position, textures, diagnostics);
     for (const TextureBlock& texture : scene.textures)
         if (const auto* source =
                 texture.source ? std::get_if<IfsTexture>(&*texture.source) : nullptr)

@@ -80,8 +80,13 @@ void check_ifs(const IfsBlock& ifs, Diagnostics& diagnostics) {
 
 void check_object(const ObjectBlock& object, Diagnostics& diagnostics) {
     RangeCheck check(diagnostics, object.position, block_name("object", object.name));
-    const bool has_body = object.volume && !std::holds_alternative<AutoVolume>(*object.volume);
-    if (!object.ifs && !has_body) check.error("it needs an 'ifs' or a volume");
+    const bool is_hull = object.volume && std::holds_alternative<HullVolume>(*object.volume);
+    const bool has_body =
+        object.volume && !is_hull && !std::holds_alternative<AutoVolume>(*object.volume);
+    if (!object.ifs && !has_body) {
+        check.error(is_hull ? "a hull is computed: it needs an 'ifs'"
+                            : "it needs an 'ifs' or a volume");
+    }
     const std::optional<Affine> map = composed(object.commands, check);
     if (map && is_singular(*map)) check.error("its matrix is singular: it squashes space flat");
     if (object.volume) check_volume(*object.volume, object.volume_position, check);

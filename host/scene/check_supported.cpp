@@ -12,34 +12,17 @@ void unsupported(const Position& position, const std::string& what, Diagnostics&
     diagnostics.error(position, what + ": not supported yet");
 }
 
-void check_object(const ObjectBlock& object, Diagnostics& diagnostics) {
-    const std::string name = block_name("object", object.name);
-    if (!object.ifs)
-        unsupported(object.position, name + ": an object without an 'ifs'", diagnostics);
-    if (object.volume && std::holds_alternative<HullVolume>(*object.volume))
-        unsupported(object.volume_position, name + ": 'hull'", diagnostics);
-}
-
 void check_render(const RenderBlock& render, Diagnostics& diagnostics) {
-    if (render.intersect == IntersectMethod::fast || render.intersect == IntersectMethod::wide)
+    if (render.intersect == IntersectMethod::wide)
         unsupported(
             render.intersect_position,
             fmt::format("render: 'intersect: {}'", word_of(intersect_words, *render.intersect)),
             diagnostics);
-    if (render.volume == VolumeKind::oriented || render.volume == VolumeKind::hull)
-        unsupported(render.volume_position,
-                    fmt::format("render: 'volume: {}'", word_of(volume_words, *render.volume)),
-                    diagnostics);
 }
 
 }  // namespace
 
 void check_supported(const Scene& scene, Diagnostics& diagnostics) {
-    for (const ObjectBlock& object : scene.objects) check_object(object, diagnostics);
-    for (const PlaneBlock& plane : scene.planes)
-        unsupported(plane.position, block_name("plane", plane.name), diagnostics);
-    for (const TextureBlock& texture : scene.textures)
-        unsupported(texture.position, block_name("texture", texture.name), diagnostics);
     if (scene.render) check_render(*scene.render, diagnostics);
 }
 

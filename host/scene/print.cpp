@@ -164,7 +164,11 @@ class ScenePrinter {
         optional("point", block.point);
         optional("normal", block.normal);
         optional("color", block.color);
-        if (block.texture) line("texture: " + *block.texture);
+        std::string textures;
+        for (const TextureReference& texture : block.textures) {
+            textures += (textures.empty() ? "texture: " : ", ") + texture.name;
+        }
+        if (!textures.empty()) line(textures);
         optional("reflect", block.reflect);
         close();
     }

@@ -148,13 +148,19 @@ struct ObjectBlock {
     bool operator==(const ObjectBlock&) const = default;
 };
 
+/// A reference to a texture by its name.
+struct TextureReference {
+    std::string name;
+    Position position;
+    bool operator==(const TextureReference&) const = default;
+};
+
 struct PlaneBlock {
     std::string name;
     std::optional<glm::dvec3> point;
     std::optional<glm::dvec3> normal;
     std::optional<glm::dvec3> color;
-    std::optional<std::string> texture;
-    Position texture_position;
+    std::vector<TextureReference> textures;  // laid over each other: their colours multiply
     std::optional<double> reflect;
     Position position;
     bool operator==(const PlaneBlock&) const = default;

@@ -109,7 +109,6 @@ TEST_F(CommandLine, a_window_or_pixel_outside_the_image_is_code_2) {
 
 TEST_F(CommandLine, what_cannot_be_rendered_yet_is_code_2) {
     refuse({"--intersect", "wide"}, "--intersect wide: not supported yet");
-    refuse({"--volume", "hull"}, "--volume hull: not supported yet");
 }
 
 TEST_F(CommandLine, an_output_that_is_no_picture_format_is_code_2) {

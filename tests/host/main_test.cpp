@@ -49,7 +49,7 @@ TEST_F(Program, mistakes_are_code_2_to_5_with_one_message_and_no_file) {
         EXPECT_EQ(outcome.err.rfind("pxm: ", 0), 0U) << outcome.err;
         EXPECT_EQ(folder.contents(), before);
     };
-    expect({"render", "tetra.pxm", "--volume", "hull"}, 2);
+    expect({"render", "tetra.pxm", "--volume", "round"}, 2);
     expect({"render", "/dev/null", "-o", "a.png"}, 4);
     expect({"render", "tetra.pxm", "--heap", "65536", "--machine", "964dX"}, 5);
     folder.write("empty.pxm", "");

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/fractal/enclosing_ball.hpp"
+#include "host/fractal/short_by.hpp"
 #include "host/fractal/support.hpp"
 #include "tests/host/fractal/systems.hpp"
 

@@ -1,10 +1,13 @@
 // Laws of the machine engine: one picture on all models, counted time, the limits of the memories.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numeric>
 
 #include "host/output/statistics_json.hpp"
+#include "host/render/scene_block.hpp"
 #include "pxm/frame_buffer.hpp"
+#include "tests/support/compile_text.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/render_text.hpp"
 
@@ -176,9 +179,12 @@ TEST(MachineEngine, a_scene_too_large_for_the_back_buffer_is_a_fault) {
     for (int i = 0; i < 2000; ++i) {
         many += "object o" + std::to_string(i) + " { ifs: tetra }\n";
     }
-    EXPECT_EQ(fault_of(many, on_machine("964dX", 16, 16)),
-              "5: the back buffer of node 0 of the 964dX is too small: 272852 bytes wanted, "
-              "262144 there");
+    const std::size_t words = make_scene_block<dsp32::Float>(test::compile_text(many)).size();
+    EXPECT_EQ(
+        fault_of(many, on_machine("964dX", 16, 16)),
+        fmt::format("5: the back buffer of node 0 of the 964dX is too small: {} bytes wanted, "
+                    "262144 there",
+                    4 * words));
 }
 
 TEST(MachineEngine, a_heap_too_large_for_the_z_buffer_is_a_fault) {

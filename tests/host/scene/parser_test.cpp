@@ -86,7 +86,7 @@ TEST(Parser, volumes_may_leave_out_the_comma_after_a_point) {
 TEST(Parser, every_other_block_keeps_what_it_is_given) {
     const Scene scene = parsed(
         "object o { ifs: a color: 1,0,0,0 opacity: .5 diffuse: .4 reflect: .3 levels: 2 scale: 2 }"
-        "plane p { point: 0,1,0 normal: 0,1,0 color: 1,1,1 texture: t reflect: 1/4 }"
+        "plane p { point: 0,1,0 normal: 0,1,0 color: 1,1,1 texture: t, u reflect: 1/4 }"
         "texture t { file: \"wood grain.png\" size: 1,2 color: 0,0,0 color2: 1,1,1 }"
         "texture u { ifs: a } texture w { wood }"
         "light { position: 1,2,3 color: 1,1,0 shadow: on } light sun { direction: 0,1,0 shadow: "
@@ -98,7 +98,9 @@ TEST(Parser, every_other_block_keeps_what_it_is_given) {
     EXPECT_EQ(object.diffuse, 0.4);
     EXPECT_EQ(object.reflect, 0.3);
     EXPECT_EQ(object.levels, 2);
-    EXPECT_EQ(scene.planes.at(0).texture, "t");
+    ASSERT_EQ(scene.planes.at(0).textures.size(), 2U);
+    EXPECT_EQ(scene.planes.at(0).textures.at(0).name, "t");
+    EXPECT_EQ(scene.planes.at(0).textures.at(1).name, "u");
     EXPECT_EQ(scene.planes.at(0).reflect, 0.25);
     EXPECT_EQ(std::get<FileTexture>(*scene.textures.at(0).source).file, "wood grain.png");
     EXPECT_EQ(scene.textures.at(0).size, glm::dvec2(1, 2));

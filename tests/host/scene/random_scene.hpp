@@ -129,7 +129,7 @@ class RandomScene {
         maybe(plane.point, [&] { return vec3(); });
         maybe(plane.normal, [&] { return vec3(); });
         maybe(plane.color, [&] { return vec3(); });
-        maybe(plane.texture, [&] { return name(); });
+        for (int i = count(2); i > 0; --i) plane.textures.push_back({name(), {}});
         maybe(plane.reflect, [&] { return number(); });
         return plane;
     }

@@ -1,0 +1,121 @@
+#include "host/fractal/short_by.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "host/fractal/farthest.hpp"
+#include "host/fractal/support.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr double margin = 1e-9;              // of the size, as bound() adds it
+constexpr double coordinate_margin = 1e-11;  // of the coordinates, for their rounding
+constexpr long budget = 1'000'000;           // cells looked at for one reach
+constexpr int most_reaches = 600;            // for one mantle
+constexpr double share = 1e-3;               // of what sticks out: told this exactly
+
+/// Reaches of one set, and which of their differences are rounding.
+class Excess {
+  public:
+    Excess(const Rifs& rifs, const std::vector<Bounds>& bounds, int set)
+        : rifs_(rifs), set_(set), known_(approximation(rifs, bounds)) {
+        const Bounds& own = bounds[static_cast<std::size_t>(set)];
+        const glm::dvec3 farthest = glm::max(glm::abs(own.box.low), glm::abs(own.box.high));
+        rounding_ = margin * own.ball.radius +
+                    coordinate_margin * std::max({farthest.x, farthest.y, farthest.z});
+    }
+
+    [[nodiscard]] double over(const SphereVolume& volume) const {
+        const FarthestGoal goal{volume.radius + rounding_, rounding_, share, budget};
+        return farthest(rifs_, known_, set_, volume.center, goal).upper - volume.radius;
+    }
+    [[nodiscard]] double over(const BoxVolume& volume) const {
+        double over = -std::numeric_limits<double>::infinity();
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::dvec3 u{0.0};
+            u[axis] = 1;
+            over = std::max(
+                {over, reach_along(u) - volume.high[axis], reach_along(-u) + volume.low[axis]});
+        }
+        return over;
+    }
+    [[nodiscard]] double over(const ConeVolume&) const {
+        // The mantle's tangent planes are e . x + y = 1, e horizontal: normals sqrt(2) long.
+        return std::max(reach_along({0, -1, 0}), over_mantle(1) / std::numbers::sqrt2);
+    }
+    [[nodiscard]] double over(const CylinderVolume&) const {
+        return std::max({reach_along({0, 1, 0}) - 1, reach_along({0, -1, 0}) - 1, over_mantle(0)});
+    }
+    [[nodiscard]] double over(const AutoVolume&) const { return 0; }
+    [[nodiscard]] double over(const HullVolume&) const { return 0; }
+
+    [[nodiscard]] double rounding() const { return rounding_; }
+
+  private:
+    /// Horizontal directions between two angles, with the reach at both.
+    struct Arc {
+        double from, to;
+        double over_from, over_to;
+    };
+
+    [[nodiscard]] double reach_along(const glm::dvec3& u) const {
+        return reach(rifs_, known_, set_, u, rounding_, budget).upper;
+    }
+
+    /// h(e + slope y) - 1 at a horizontal direction e of that angle and length.
+    [[nodiscard]] double over_at(double angle, double length, double slope) const {
+        return reach_along({length * std::cos(angle), slope, length * std::sin(angle)}) - 1;
+    }
+
+    /// The most that h(e + slope y) exceeds 1 for a horizontal unit vector e. The directions of an
+    /// arc lie in the triangle of its ends and the point where their tangents meet, and h is
+    /// convex: on the arc it is no larger than at one of these three.
+    [[nodiscard]] double over_mantle(double slope) const {
+        constexpr double quarter = std::numbers::pi / 2;
+        std::vector<Arc> open;
+        double ends[4];
+        for (int i = 0; i < 4; ++i) ends[i] = over_at(i * quarter, 1, slope);
+        for (int i = 0; i < 4; ++i) {
+            open.push_back({i * quarter, (i + 1) * quarter, ends[i], ends[(i + 1) % 4]});
+        }
+        double most = *std::ranges::max_element(ends);
+        for (int left = most_reaches; !open.empty(); --left) {
+            const Arc arc = open.back();
+            open.pop_back();
+            const double middle = (arc.from + arc.to) / 2;
+            const double on_tangents =
+                over_at(middle, 1 / std::cos((arc.to - arc.from) / 2), slope);
+            const double upper = std::max({arc.over_from, arc.over_to, on_tangents});
+            if (upper <= rounding_ || upper <= most * (1 + share) || left <= 0) {
+                most = std::max(most, upper);
+                continue;
+            }
+            const double on_arc = over_at(middle, 1, slope);
+            open.push_back({arc.from, middle, arc.over_from, on_arc});
+            open.push_back({middle, arc.to, on_arc, arc.over_to});
+        }
+        return most;
+    }
+
+    const Rifs& rifs_;
+    int set_;
+    Approximation known_;
+    double rounding_;
+};
+
+}  // namespace
+
+double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
+                const DeclaredVolume& volume) {
+    const Excess excess(rifs, bounds, set);
+    const double over = std::visit([&](const auto& v) { return excess.over(v); }, volume);
+    return over <= excess.rounding() ? std::min(over, 0.0) : over;
+}
+
+}  // namespace pxm::host

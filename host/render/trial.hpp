@@ -1,0 +1,14 @@
+// What bounding volumes cost, by trial: a few rays from several sides, rendered natively. The mean
+// shadow of a volume (Cauchy: a quarter of its surface) tells how many cells rays would meet if
+// none ended before; where rays end is what only a trial tells.
+#pragma once
+
+#include "host/render/compiled_scene.hpp"
+
+namespace pxm::host {
+
+/// What tests of cells cost a ray on average, in tests of a sphere. Rays cross the unit ball of the
+/// shape's coordinates; a cell is terminal at 1/256 of it or after `levels` maps.
+[[nodiscard]] double trial_cost(const CompiledShape& shape, std::uint32_t levels);
+
+}  // namespace pxm::host
