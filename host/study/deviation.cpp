@@ -26,6 +26,31 @@ double color_apart(const PixelRecord& a, const PixelRecord& b, double& squares) 
     return largest;
 }
 
+/// CIE L*a*b* of a linear colour with sRGB's primaries and white.
+struct Lab {
+    double l, a, b;
+};
+Lab lab_of(const PixelRecord& pixel) {
+    const auto f = [](double t) {
+        return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116;
+    };
+    const auto part = [&](int k) {
+        return std::isfinite(pixel.color[k]) ? std::clamp(double{pixel.color[k]}, 0.0, 1.0) : 0.0;
+    };
+    const double r = part(0), g = part(1), b = part(2);
+    const double x = f((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505);
+    const double y = f(0.2126 * r + 0.7152 * g + 0.0722 * b);
+    const double z = f((0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089);
+    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+bool is_perceived(const PixelRecord& p, const PixelRecord& q) {
+    constexpr double just_noticeable = 2.3;  // CIE delta E
+    const Lab a = lab_of(p);
+    const Lab b = lab_of(q);
+    return std::hypot(a.l - b.l, a.a - b.a, a.b - b.b) > just_noticeable;
+}
+
 double percentile_99(std::vector<double> values) {
     const auto at = static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + at, values.end());
@@ -54,6 +79,7 @@ Deviation deviation_of(const RenderResult& picture, const RenderResult& referenc
         result.wrong.push_back(other_hit || apart > 1);
         result.wrong_hits += other_hit ? 1 / count : 0;
         result.wrong_share += result.wrong.back() ? 1 / count : 0;
+        result.perceived += is_perceived(a, b) ? 1 / count : 0;
         colors.push_back(color_apart(a, b, squares));
     }
     result.mean_depth = both > 0 ? depths / both : 0;

@@ -14,6 +14,7 @@ struct Deviation {
     double worst_depth = 0;   // pixels
     double rmse = 0;          // of colour, over red, green, blue
     double color_99 = 0;      // 99th percentile of a pixel's largest difference of colour
+    double perceived = 0;     // share of pixels that a person tells apart: CIE delta E above 2.3
     std::vector<char> wrong;  // per pixel: counted in wrong_share
 };
 

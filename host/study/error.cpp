@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 
-#include "host/output/perceived.hpp"
 #include "host/study/deviation.hpp"
 #include "host/study/error_page.hpp"
 #include "host/study/error_settings.hpp"
@@ -74,7 +73,7 @@ Json measure_setting(const std::string& scene, const ErrorSetting& setting,
     result["host_spread"] = {seconds.front(), seconds.back()};
     result["rmse"] = color.rmse;
     result["color_99"] = color.color_99;
-    result["perceived"] = perceived_difference(picture->frame, references.color->frame);
+    result["perceived"] = color.perceived;
     result["wrong_hits"] = depth.wrong_hits;
     result["depth_error_pixels"] = depth.mean_depth;
     result["worst_depth_pixels"] = depth.worst_depth;
