@@ -1,6 +1,7 @@
 # What is taken from the system. Each library is known to one file or one folder of host/.
 find_package(Threads REQUIRED)            # the machine's 64 nodes on host threads (pxm/)
-find_package(OpenMP REQUIRED COMPONENTS CXX)  # the native engine
+find_package(OpenMP REQUIRED COMPONENTS CXX)  # the native engines
+find_package(hwy REQUIRED CONFIG)         # wide registers (host/wide/)
 find_package(glm REQUIRED)                # host vectors and matrices
 find_package(OpenImageIO REQUIRED)        # image files
 find_package(Eigen3 REQUIRED NO_MODULE)   # eigenvalues, singular values

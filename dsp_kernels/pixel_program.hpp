@@ -17,6 +17,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     frame.search.detail = node.shape_real(Header::detail);
     frame.search.fade = node.shape_real(Header::fade);
     frame.search.cell_cap = node.shape_word(Header::cell_cap);
+    frame.search.method = static_cast<Method>(node.shape_word(Header::method));
     frame.shading = static_cast<ShadingMode>(node.shape_word(Header::shading));
     frame.background = read_vector(node, Header::background);
     frame.planes = node.shape_word(Header::plane_count);

@@ -25,6 +25,7 @@ enum class ShadingMode : std::uint32_t { constant, low_pass, high_pass, facet };
 enum class Projection : std::uint32_t { perspective, orthographic };
 enum class Volume : std::uint32_t { sphere, box, oriented, hull, cone, cylinder };
 enum class Lipschitz : std::uint32_t { product, determinant, polar };
+enum class Method : std::uint32_t { heap, fast };  // of intersection: Alg. 12.4, Ch. 13
 enum class LightKind : std::uint32_t { directional, point };
 
 inline constexpr std::uint32_t unlimited_levels = 0xFFFF'FFFF;
@@ -32,8 +33,8 @@ inline constexpr std::uint32_t unlimited_levels = 0xFFFF'FFFF;
 /// At address 0. An eye ray of pixel (x, y) goes through corner + (x + u) across + (y + v) down,
 /// with the place (u, v) of its sample in the pixel.
 template <std::uint32_t R>
-struct HeaderRecord : Record<R, 18, 26> {
-    using Base = Record<R, 18, 26>;
+struct HeaderRecord : Record<R, 19, 26> {
+    using Base = Record<R, 19, 26>;
     // integers
     static constexpr std::uint32_t width = Base::integer(0);
     static constexpr std::uint32_t height = Base::integer(1);
@@ -51,6 +52,7 @@ struct HeaderRecord : Record<R, 18, 26> {
                                                                  // [0,1) of the pixel, two numbers
     static constexpr std::uint32_t plane_count = Base::integer(16);
     static constexpr std::uint32_t planes = Base::integer(17);  // address of the first record
+    static constexpr std::uint32_t method = Base::integer(18);
     // numbers
     static constexpr std::uint32_t eye = Base::real(0);
     static constexpr std::uint32_t corner = Base::real(3);

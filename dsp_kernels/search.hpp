@@ -18,6 +18,7 @@ struct Search {
     Real detail;             // a cell is terminal at `detail` pixels: tau_min of local covers
     Real fade;               // a cell begins to show at `fade` pixels: tau_max of local covers
     std::uint32_t cell_cap;  // most cells tested for one ray
+    Method method;
 };
 
 /// Whether the cell's composed linear part is needed for its diameter.

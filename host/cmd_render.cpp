@@ -56,7 +56,6 @@ SceneOverrides overrides_of(const RenderArguments& a) {
     if (!a.intersect.empty()) overrides.intersect = parse_intersect(a.intersect);
     if (!a.lipschitz.empty()) overrides.lipschitz = parse_lipschitz(a.lipschitz);
     if (!a.volume.empty()) overrides.volume = parse_volume(a.volume);
-    require_supported(overrides);
     return overrides;
 }
 

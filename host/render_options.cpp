@@ -157,16 +157,6 @@ VolumeKind parse_volume(const std::string& text) {
                                {"hull", VolumeKind::hull}});
 }
 
-void require_supported(const SceneOverrides& overrides) {
-    const auto unless = [](bool supported, const char* what) {
-        if (!supported) {
-            throw Error(ExitCode::command_line, fmt::format("{}: not supported yet", what));
-        }
-    };
-    unless(overrides.intersect != IntersectMethod::fast, "--intersect fast");
-    unless(overrides.intersect != IntersectMethod::wide, "--intersect wide");
-}
-
 const Model& parse_model(const char* option, const std::string& text) {
     if (const Model* model = find_model(text)) return *model;
     std::string expected;

@@ -26,8 +26,4 @@ namespace pxm::host {
 [[nodiscard]] VolumeKind parse_volume(const std::string& text);
 [[nodiscard]] const Model& parse_model(const char* option, const std::string& text);
 
-/// Throws Error(ExitCode::command_line) for what can be said and not yet rendered: the same as
-/// check_supported() refuses in a scene.
-void require_supported(const SceneOverrides& overrides);
-
 }  // namespace pxm::host

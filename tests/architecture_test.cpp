@@ -43,6 +43,7 @@ const Rule library_rules[] = {
      "nlohmann-json"},
     {R"(#include\s*<Eigen/)", "host/(fractal|import)/.*", "Eigen"},
     {R"(#include\s*<omp\.h>)", "host/(render|wide)/.*", "OpenMP"},
+    {R"(#include\s*<hwy/)", "host/wide/.*", "Highway"},
 };
 
 // What a node does not have: streams, threads, an allocator, exceptions.
@@ -125,7 +126,8 @@ std::vector<SourceText> sources_of_the_tree() {
     for (const char* top : {"pxm", "dsp_kernels", "host", "tests"}) {
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_dir) / top)) {
             const fs::path& path = entry.path();
-            if (path.extension() != ".hpp" && path.extension() != ".cpp") continue;
+            const std::set<fs::path> kinds{".hpp", ".cpp", ".inl"};
+            if (!kinds.contains(path.extension())) continue;
             std::ostringstream text;
             text << std::ifstream(path).rdbuf();
             sources.push_back({fs::relative(path, source_dir).generic_string(), text.str()});
@@ -188,7 +190,8 @@ TEST(Architecture, an_outside_library_is_known_to_one_place) {
         {"CLI/CLI.hpp", "host/cmd_render.cpp"},
         {"nlohmann/json.hpp", "host/output/statistics_json.cpp"},
         {"Eigen/SVD", "host/fractal/lipschitz.cpp"},
-        {"omp.h", "host/render/native_engine.cpp"}};
+        {"omp.h", "host/render/native_engine.cpp"},
+        {"hwy/highway.h", "host/wide/tile_search.cpp"}};
     for (const auto& [header, home] : homes) {
         const std::string include = "#include <" + header + ">\n";
         EXPECT_THAT(complaints_about(home, include), IsEmpty()) << header;

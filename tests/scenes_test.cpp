@@ -73,7 +73,6 @@ TEST(Scenes, every_scene_parses_and_checks_without_a_mistake) {
         const Scene scene = parse_scene(scene_path(name), diagnostics);
         if (!diagnostics.has_errors()) {
             check_scene(scene, diagnostics);
-            check_supported(scene, diagnostics);
         }
         EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.text(scene.files);
     }

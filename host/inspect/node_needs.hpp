@@ -8,6 +8,7 @@
 #include "host/render/statistics.hpp"
 #include "host/scene/diagnostics.hpp"
 #include "host/scene/scene.hpp"
+#include "host/wide/wide_scene.hpp"
 
 namespace pxm::host {
 
@@ -16,6 +17,7 @@ struct NodeNeeds {
     NodeProgram program;
     MachineStatistics memory;  // its banks alone
     bool over_limit = false;   // a memory would be too small
+    std::vector<wide::ObjectMethod> native;  // how each object is met without the machine
 };
 
 /// Of a scene that check_scene found right and whose systems contract. What this version cannot

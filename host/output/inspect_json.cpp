@@ -217,6 +217,11 @@ std::string inspect_json(const Inspection& inspection) {
                       {"zbuffer", use_json(needs.memory.zbuffer)},
                       {"texture", use_json(needs.memory.texture)},
                       {"over_limit", needs.over_limit}};
+    json["native"] = Json::array();
+    for (const wide::ObjectMethod& object : needs.native) {
+        json["native"].push_back(
+            {{"object", object.object}, {"method", object.method}, {"because", object.because}});
+    }
     return json.dump(2) + "\n";
 }
 

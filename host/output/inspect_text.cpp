@@ -182,6 +182,11 @@ void add_needs(const NodeNeeds& needs, std::string& text) {
     add_use("back buffer", needs.memory.back_buffer, text);
     add_use("z-buffer", needs.memory.zbuffer, text);
     add_use("texture", needs.memory.texture, text);
+    if (needs.native.empty()) return;
+    text += "\nnatively, in float\n";
+    for (const wide::ObjectMethod& object : needs.native) {
+        line(text, object.object.c_str(), fmt::format("{}: {}", object.method, object.because));
+    }
 }
 
 }  // namespace

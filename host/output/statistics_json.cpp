@@ -90,6 +90,7 @@ std::string statistics_json(const Statistics& s) {
     json["seconds"] = {{"parse", s.seconds.parse}, {"compile", s.seconds.compile},
                        {"load", s.seconds.load},   {"render", s.seconds.render},
                        {"write", s.seconds.write}, {"total", s.seconds.total}};
+    json["intersect"] = {{"method", s.intersect}, {"because", s.intersect_because}};
     json["rays"] = {{"eye", s.rays.eye_rays},
                     {"light", s.rays.light_rays},
                     {"reflect", s.rays.reflect_rays}};

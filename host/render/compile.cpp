@@ -14,6 +14,7 @@
 #include "host/render/compile_floor.hpp"
 #include "host/render/lifted_fractal.hpp"
 #include "host/render/lights.hpp"
+#include "host/render/method.hpp"
 #include "host/render/samples.hpp"
 #include "host/render/shape.hpp"
 #include "host/render/view.hpp"
@@ -94,11 +95,13 @@ class Compiler {
         set_view(ball_around(objects));
         if (diagnostics_.has_errors()) return {};
         lift_to_pixels(objects);
+        out_.method = chosen_method(render_);
         for (const Placed& object : objects) add_object(object);
         compile_floor(scene_, view_, fractals_, out_, diagnostics_);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
         set_sampling();
+        if (out_.method == kernels::Method::fast) require_solid(render_, out_, diagnostics_);
         out_.heap = render_.heap.value_or(out_.heap);
         out_.ambient = render_.ambient.value_or(out_.ambient);
         out_.background = render_.background.value_or(out_.background);
@@ -109,6 +112,9 @@ class Compiler {
     void make_fractals() {
         for (const IfsBlock& block : scene_.ifs) {
             if (auto fractal = make_fractal(block, diagnostics_)) {
+                if (chosen_method(render_) == kernels::Method::fast) {
+                    require_homotheties(block, fractal->exact, diagnostics_);
+                }
                 fractals_.emplace(block.name, std::move(*fractal));
             }
         }
@@ -193,6 +199,9 @@ class Compiler {
         result.shape = object.fractal == nullptr ? shape_of_volume(*object.block, frame)
                                                  : shape_of_fractal(object, frame);
         const CompiledShape& shape = out_.shapes[static_cast<std::size_t>(result.shape)];
+        if (out_.method == kernels::Method::fast) {
+            require_spheres(*object.block, shape, diagnostics_);
+        }
         result.instance.linear = object.instance.linear * (frame.scale / out_.unit);
         result.instance.translation = (object.instance.point(frame.center) - view_.eye) / out_.unit;
         result.constant = constant_by(shape.lipschitz, result.instance);
@@ -246,10 +255,9 @@ class Compiler {
                 return chosen.volumes;
             }
         }
-        chosen_.push_back(
-            {object.fractal, &block,
-             choose_volumes(block, render_.volume.value_or(VolumeKind::automatic),
-                            object.fractal->rifs, object.fractal->bounds, diagnostics_)});
+        chosen_.push_back({object.fractal, &block,
+                           choose_volumes(block, volume_kind(render_, block), object.fractal->rifs,
+                                          object.fractal->bounds, diagnostics_)});
         return chosen_.back().volumes;
     }
 

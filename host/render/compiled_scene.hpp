@@ -99,6 +99,7 @@ struct CompiledScene {
     std::vector<CompiledLight> lights;
     CompiledCamera camera;
     kernels::ShadingMode shading = kernels::ShadingMode::constant;
+    kernels::Method method = kernels::Method::heap;
     double detail = 1;  // terminal at so many pixels; with covers tau_min
     double fade = 1;    // covers begin to show at so many pixels: tau_max
     bool covers = false;

@@ -21,6 +21,7 @@ struct EngineChoice {
     std::int64_t program_bytes = 0;  // what a node of the machine loads, constants included
     std::int64_t stack_bytes = 0;
     CostModel costs = default_cost_model();
+    IntersectMethod intersect = IntersectMethod::heap;  // as chosen: not automatic
 };
 
 /// How a render is watched and stopped from outside.

@@ -67,6 +67,8 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
     take("orthographic", !perspective, "an orthographic camera", "a perspective camera");
     take("intersect", true, "every ray looks for a cell", "");
     take("heap", true, "where intersect keeps cells", "");
+    take("intersect_fast", scene.method == kernels::Method::fast, "intersect: fast",
+         "intersect: heap");
     take("descend", objects, "ifs objects", "no objects");
     take("next_after", objects, "a heap may overflow", "no objects");
     take("sphere", any_volume(scene, kernels::Volume::sphere), "bounding spheres",

@@ -13,7 +13,7 @@ const std::vector<MeasuredModule> module_table{
     {"box", 844, 28, 0},
     {"camera", 294, 0, 0},
     {"cone", 1002, 28, 0},
-    {"covers", 4033, 12, 0},
+    {"covers", 4030, 12, 0},
     {"cylinder", 842, 28, 0},
     {"descend", 1244, 52, 0},
     {"flatness", 959, 24, 0},
@@ -21,12 +21,13 @@ const std::vector<MeasuredModule> module_table{
     {"hull", 758, 12, 0},
     {"illuminate", 20, 0, 0},
     {"intersect", 776, 0, 0},
+    {"intersect_fast", 2777, 20, 0},
     {"mirror", 221, 16, 0},
     {"next_after", 1244, 4, 0},
     {"oriented", 1069, 32, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
-    {"pixel_program", 139, 0, 0},
+    {"pixel_program", 145, 0, 0},
     {"plane", 658, 16, 0},
     {"point_light", 1486, 20, 0},
     {"polar", 893, 24, 0},
@@ -38,29 +39,29 @@ const std::vector<MeasuredModule> module_table{
     {"texture_image", 944, 12, 0},
     {"texture_inclusion", 1687, 28, 0},
     {"texture_wood", 2419, 120, 0},
-    {"trace", 2106, 16, 0},
-    {"trace_all", 3158, 24, 0},
+    {"trace", 2146, 20, 0},
+    {"trace_all", 3201, 24, 0},
     {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 128, {148, 2, 4}},  // 0
+    {"box", "box_normal", 128, {157, 2, 4}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
     {"box", "decisive_face", 8, {}},  // 2
-    {"box", "intersect_box", 112, {148, 1}},  // 3
+    {"box", "intersect_box", 112, {157, 1}},  // 3
     {"box", "box_normal (part)", 8, {}},  // 4
-    {"camera", "eye_ray", 96, {145, 148, 78, 77}},  // 5
-    {"cone", "cone_normal", 128, {145, 148, 7, 153, 158}},  // 6
+    {"camera", "eye_ray", 96, {154, 157, 87, 86}},  // 5
+    {"cone", "cone_normal", 128, {154, 157, 7, 162, 167}},  // 6
     {"cone", "clip_to_mantle", 8, {}},  // 7
-    {"cone", "intersect_cone", 80, {148, 7, 158}},  // 8
-    {"covers", "next_after", 432, {16, 50, 33, 66, 67, 68, 36, 52, 21}},  // 9
+    {"cone", "intersect_cone", 80, {157, 7, 167}},  // 8
+    {"covers", "next_after", 432, {16, 50, 33, 75, 76, 77, 36, 52, 21}},  // 9
     {"covers", "covers_along", 768, {57, 9, 16, 52, 18, 22}},  // 10
     {"covers", "covers_along", 768, {57, 9, 16, 52, 19, 23}},  // 11
     {"covers", "MissedChildren::shown", 8, {}},  // 12
-    {"covers", "MissedChildren::missed", 80, {148, 29, 87, 153, 35, 158}},  // 13
-    {"covers", "shrunk_for_covers", 96, {145, 148, 154, 37, 158}},  // 14
-    {"covers", "push_children_and_cover", 480, {27, 12, 13, 87, 16, 43, 32, 35}},  // 15
+    {"covers", "MissedChildren::missed", 80, {157, 29, 96, 162, 35, 167}},  // 13
+    {"covers", "shrunk_for_covers", 96, {154, 157, 163, 37, 167}},  // 14
+    {"covers", "push_children_and_cover", 480, {27, 12, 13, 96, 16, 43, 32, 35}},  // 15
     {"covers", "Cell::Cell", 8, {}},  // 16
     {"covers", "ending", 48, {28}},  // 17
     {"covers", "walk_heap", 112, {58, 29, 15, 41, 17, 37, 20, 22}},  // 18
@@ -70,21 +71,21 @@ const std::vector<MeasuredFunction> function_table{
     {"covers", "CoverWalk::tell", 32, {50, 20}},  // 22
     {"covers", "CoverWalk::tell", 32, {50}},  // 23
     {"cylinder", "within_mantle", 8, {}},  // 24
-    {"cylinder", "cylinder_normal", 128, {145, 148, 24, 158}},  // 25
-    {"cylinder", "intersect_cylinder", 96, {148, 24, 158}},  // 26
-    {"descend", "child_cell", 144, {146, 149, 39}},  // 27
+    {"cylinder", "cylinder_normal", 128, {154, 157, 24, 167}},  // 25
+    {"cylinder", "intersect_cylinder", 96, {157, 24, 167}},  // 26
+    {"descend", "child_cell", 144, {155, 158, 39}},  // 27
     {"descend", "at_last_level", 8, {}},  // 28
-    {"descend", "cell_diameter", 32, {88}},  // 29
-    {"descend", "outermost_cell", 176, {146, 147, 149, 35}},  // 30
-    {"descend", "intersect_volume", 8, {3, 8, 55, 101, 26, 75}},  // 31
+    {"descend", "cell_diameter", 32, {97}},  // 29
+    {"descend", "outermost_cell", 176, {155, 156, 158, 35}},  // 30
+    {"descend", "intersect_volume", 8, {3, 8, 55, 110, 26, 84}},  // 31
     {"descend", "meet", 112, {28, 31, 14, 34}},  // 32
     {"descend", "ending", 48, {28, 29, 37}},  // 33
-    {"descend", "approach", 80, {148, 155}},  // 34
+    {"descend", "approach", 80, {157, 164}},  // 34
     {"descend", "is_polar", 8, {}},  // 35
     {"descend", "map_from", 8, {}},  // 36
     {"descend", "pixel_at", 8, {}},  // 37
-    {"flatness", "undo_squash", 80, {145, 153, 158}},  // 38
-    {"flatness", "keep_thickness", 208, {147, 148, 38, 152, 153, 35, 37, 159}},  // 39
+    {"flatness", "undo_squash", 80, {154, 162, 167}},  // 38
+    {"flatness", "keep_thickness", 208, {156, 157, 38, 161, 162, 35, 37, 168}},  // 39
     {"heap", "cell_words", 8, {}},  // 40
     {"heap", "Heap::pop", 16, {44, 46, 48}},  // 41
     {"heap", "Heap::keep", 8, {51}},  // 42
@@ -98,113 +99,122 @@ const std::vector<MeasuredFunction> function_table{
     {"heap", "before", 8, {}},  // 50
     {"heap", "copy_cell", 32, {40}},  // 51
     {"heap", "move_cell", 8, {51}},  // 52
-    {"hull", "cross_plane", 80, {148, 153}},  // 53
-    {"hull", "hull_normal", 128, {53, 148, 158}},  // 54
-    {"hull", "intersect_hull", 112, {53, 148, 158}},  // 55
-    {"illuminate", "facing", 16, {153}},  // 56
+    {"hull", "cross_plane", 80, {157, 162}},  // 53
+    {"hull", "hull_normal", 128, {53, 157, 167}},  // 54
+    {"hull", "intersect_hull", 112, {53, 157, 167}},  // 55
+    {"illuminate", "facing", 16, {162}},  // 56
     {"intersect", "count_heap", 8, {}},  // 57
     {"intersect", "push_objects", 384, {30, 60, 43, 32}},  // 58
-    {"intersect", "push_children", 416, {27, 87, 60, 43, 32, 35}},  // 59
+    {"intersect", "push_children", 416, {27, 96, 60, 43, 32, 35}},  // 59
     {"intersect", "Cell::Cell", 8, {}},  // 60
-    {"intersect", "intersect", 112, {57, 63, 58, 59, 60, 41, 33}},  // 61
-    {"mirror", "mirrored", 112, {145, 153, 159}},  // 62
-    {"next_after", "next_after", 432, {64, 50, 33, 66, 67, 68, 36, 52}},  // 63
-    {"next_after", "Cell::Cell", 8, {}},  // 64
-    {"next_after", "CellPath::make_again", 688, {27, 87, 64, 46, 32, 35, 36, 52, 69}},  // 65
-    {"next_after", "CellPath::up", 48, {46, 65, 69}},  // 66
-    {"next_after", "CellPath::down", 368, {27, 87, 64, 42, 32, 35, 52}},  // 67
-    {"next_after", "CellPath::start", 32, {30, 32}},  // 68
-    {"next_after", "CellWord::get", 8, {}},  // 69
-    {"oriented", "along_axes", 64, {153}},  // 70
-    {"oriented", "clip_to_slab", 8, {}},  // 71
-    {"oriented", "decisive_face", 8, {}},  // 72
-    {"oriented", "oriented_normal", 128, {72, 74, 76}},  // 73
-    {"oriented", "to_oriented_box", 96, {70, 147, 148, 158}},  // 74
-    {"oriented", "intersect_oriented", 80, {71, 74}},  // 75
-    {"oriented", "oriented_normal (part)", 32, {148}},  // 76
-    {"orthographic", "orthographic_ray", 32, {145, 148}},  // 77
-    {"perspective", "perspective_ray", 16, {159}},  // 78
-    {"pixel_program", "read_frame_constants", 32, {148}},  // 79
-    {"plane", "nearest_plane", 96, {148, 153}},  // 80
-    {"plane", "plane_surface", 144, {103, 148, 153, 157, 106}},  // 81
-    {"point_light", "facing_point_light", 944, {27, 90, 147, 148, 87, 30, 31, 92, 83, 84, 94, 154, 56, 156, 34, 35, 36, 52, 85}},  // 82
-    {"point_light", "direction_to_point_light", 80, {158, 159}},  // 83
-    {"point_light", "Cell::Cell", 8, {}},  // 84
-    {"point_light", "AddPointLight::operator", 96, {29, 83, 56, 95, 157}},  // 85
-    {"polar", "jacobi_rotate", 8, {}},  // 86
-    {"polar", "complete_child", 144, {147, 156}},  // 87
-    {"polar", "largest_singular_value", 128, {86, 153, 154}},  // 88
-    {"shade", "surface_at", 112, {92, 94, 159, 96}},  // 89
-    {"shade", "cell_normal", 96, {91, 151, 159}},  // 90
-    {"shade", "volume_normal", 8, {0, 6, 54, 100, 25, 73}},  // 91
-    {"shade", "outermost_diameter", 352, {29, 30, 93}},  // 92
-    {"shade", "Cell::Cell", 8, {}},  // 93
-    {"shade", "blend", 112, {145, 148, 154}},  // 94
-    {"shade", "PathSum::add", 48, {145}},  // 95
-    {"shade", "walk_path", 896, {27, 90, 147, 148, 87, 30, 31, 93, 94, 156, 34, 35, 36, 52, 97}},  // 96
-    {"shade", "AddNormal::operator", 48, {29, 95}},  // 97
-    {"shadow", "search_to_light", 8, {}},  // 98
-    {"shadow_point", "search_from_light", 80, {153, 158, 159}},  // 99
-    {"sphere", "sphere_normal", 96, {145, 148, 158}},  // 100
-    {"sphere", "intersect_sphere", 112, {148, 153, 158}},  // 101
-    {"texture", "in_repeats", 48, {153}},  // 102
-    {"texture", "layer_color", 192, {145, 102, 148, 104, 158}},  // 103
-    {"texture", "texture_color", 48, {121, 109, 148, 113, 107}},  // 104
-    {"texture", "place_of", 8, {}},  // 105
-    {"texture", "footprint", 96, {145, 153, 154, 159}},  // 106
-    {"texture", "is_beyond (part)", 8, {}},  // 107
-    {"texture_image", "neighbours", 8, {}},  // 108
-    {"texture_image", "image_color", 128, {110, 111, 154, 105}},  // 109
-    {"texture_image", "image_level", 208, {108, 111, 112}},  // 110
-    {"texture_image", "mix", 96, {145, 158}},  // 111
-    {"texture_image", "texel", 8, {}},  // 112
-    {"texture_inclusion", "inclusion_color", 96, {145, 148, 115, 158}},  // 113
-    {"texture_inclusion", "largest_stretch", 8, {}},  // 114
-    {"texture_inclusion", "inclusion_coverage", 1552, {116, 117, 105, 118, 119}},  // 115
-    {"texture_inclusion", "outermost_point_cell", 48, {117, 119}},  // 116
-    {"texture_inclusion", "times", 8, {}},  // 117
-    {"texture_inclusion", "Inclusion::is_open", 96, {114, 117, 119}},  // 118
-    {"texture_inclusion", "read_vec2", 8, {}},  // 119
-    {"texture_wood", "pxm::floor_integer", 8, {}},  // 120
-    {"texture_wood", "wood_color", 192, {145, 148, 123, 124, 154, 105, 127, 158}},  // 121
-    {"texture_wood", "ring_darkness", 48, {120}},  // 122
-    {"texture_wood", "board_darkness", 48, {125, 126}},  // 123
-    {"texture_wood", "share_in_stripes", 48, {128}},  // 124
-    {"texture_wood", "noise", 112, {120, 129}},  // 125
-    {"texture_wood", "rings_at", 48, {122, 125}},  // 126
-    {"texture_wood", "scramble", 8, {}},  // 127
-    {"texture_wood", "share_in_stripes (part)", 32, {120}},  // 128
-    {"texture_wood", "noise (part)", 16, {127}},  // 129
-    {"trace", "PixelStore::byte", 8, {}},  // 130
-    {"trace", "render_pixel", 672, {145, 89, 80, 81, 133, 134, 5, 37, 157, 61, 52}},  // 131
-    {"trace", "pixel_program", 960, {130, 131, 79, 49}},  // 132
-    {"trace", "Tracer::shade", 128, {145, 148, 82, 56}},  // 133
-    {"trace", "Tracer::is_most", 8, {}},  // 134
-    {"trace_all", "PixelStore::byte", 8, {}},  // 135
-    {"trace_all", "Tracer::shade (part)", 256, {145, 148, 11, 98, 99, 82, 141, 56}},  // 136
-    {"trace_all", "render_pixel", 3392, {139, 140, 5}},  // 137
-    {"trace_all", "pixel_program", 960, {135, 137, 79, 139, 49}},  // 138
-    {"trace_all", "Cell::Cell", 8, {}},  // 139
-    {"trace_all", "Tracer::look_along", 128, {145, 81, 141, 142, 143, 144, 157}},  // 140
-    {"trace_all", "Tracer::meets_plane", 8, {80}},  // 141
-    {"trace_all", "Tracer::look_through_covers", 560, {89, 10, 139, 143, 144, 37, 157, 52}},  // 142
-    {"trace_all", "Tracer::shade", 144, {145, 136, 62}},  // 143
-    {"trace_all", "Tracer::is_most", 8, {}},  // 144
-    {"vectors", "add_scaled", 8, {}},  // 145
-    {"vectors", "read_affine", 96, {147, 148}},  // 146
-    {"vectors", "read_linear", 32, {148}},  // 147
-    {"vectors", "read_vector", 8, {}},  // 148
-    {"vectors", "transform_ray", 48, {150, 152}},  // 149
-    {"vectors", "transform_point", 8, {}},  // 150
-    {"vectors", "transform_normal", 64, {153}},  // 151
-    {"vectors", "transform_direction", 8, {}},  // 152
-    {"vectors", "dot", 8, {}},  // 153
-    {"vectors", "scale", 8, {}},  // 154
-    {"vectors", "rebase", 80, {145, 153, 158}},  // 155
-    {"vectors", "compose", 48, {152}},  // 156
-    {"vectors", "point_at", 8, {145}},  // 157
-    {"vectors", "subtract", 8, {}},  // 158
-    {"vectors", "normalize", 64, {153, 154}},  // 159
+    {"intersect", "intersect", 112, {57, 72, 58, 59, 60, 41, 33}},  // 61
+    {"intersect_fast", "project_ray", 192, {155, 157, 158, 162, 164, 167, 168}},  // 62
+    {"intersect_fast", "include_point", 8, {}},  // 63
+    {"intersect_fast", "project_child", 128, {154, 157, 162, 167}},  // 64
+    {"intersect_fast", "search_object", 416, {62, 63, 66, 68, 69, 70}},  // 65
+    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 66
+    {"intersect_fast", "intersect_fast", 416, {65, 61}},  // 67
+    {"intersect_fast", "push_projected", 128, {157, 63, 64, 66}},  // 68
+    {"intersect_fast", "ending", 48, {37}},  // 69
+    {"intersect_fast", "as_cell", 128, {156, 163, 35}},  // 70
+    {"mirror", "mirrored", 112, {154, 162, 168}},  // 71
+    {"next_after", "next_after", 432, {73, 50, 33, 75, 76, 77, 36, 52}},  // 72
+    {"next_after", "Cell::Cell", 8, {}},  // 73
+    {"next_after", "CellPath::make_again", 688, {27, 96, 73, 46, 32, 35, 36, 52, 78}},  // 74
+    {"next_after", "CellPath::up", 48, {46, 74, 78}},  // 75
+    {"next_after", "CellPath::down", 368, {27, 96, 73, 42, 32, 35, 52}},  // 76
+    {"next_after", "CellPath::start", 32, {30, 32}},  // 77
+    {"next_after", "CellWord::get", 8, {}},  // 78
+    {"oriented", "along_axes", 64, {162}},  // 79
+    {"oriented", "clip_to_slab", 8, {}},  // 80
+    {"oriented", "decisive_face", 8, {}},  // 81
+    {"oriented", "oriented_normal", 128, {81, 83, 85}},  // 82
+    {"oriented", "to_oriented_box", 96, {79, 156, 157, 167}},  // 83
+    {"oriented", "intersect_oriented", 80, {80, 83}},  // 84
+    {"oriented", "oriented_normal (part)", 32, {157}},  // 85
+    {"orthographic", "orthographic_ray", 32, {154, 157}},  // 86
+    {"perspective", "perspective_ray", 16, {168}},  // 87
+    {"pixel_program", "read_frame_constants", 32, {157}},  // 88
+    {"plane", "nearest_plane", 96, {157, 162}},  // 89
+    {"plane", "plane_surface", 144, {112, 157, 162, 166, 115}},  // 90
+    {"point_light", "facing_point_light", 944, {27, 99, 156, 157, 96, 30, 31, 101, 92, 93, 103, 163, 56, 165, 34, 35, 36, 52, 94}},  // 91
+    {"point_light", "direction_to_point_light", 80, {167, 168}},  // 92
+    {"point_light", "Cell::Cell", 8, {}},  // 93
+    {"point_light", "AddPointLight::operator", 96, {29, 92, 56, 104, 166}},  // 94
+    {"polar", "jacobi_rotate", 8, {}},  // 95
+    {"polar", "complete_child", 144, {156, 165}},  // 96
+    {"polar", "largest_singular_value", 128, {95, 162, 163}},  // 97
+    {"shade", "surface_at", 112, {101, 103, 168, 105}},  // 98
+    {"shade", "cell_normal", 96, {100, 160, 168}},  // 99
+    {"shade", "volume_normal", 8, {0, 6, 54, 109, 25, 82}},  // 100
+    {"shade", "outermost_diameter", 352, {29, 30, 102}},  // 101
+    {"shade", "Cell::Cell", 8, {}},  // 102
+    {"shade", "blend", 112, {154, 157, 163}},  // 103
+    {"shade", "PathSum::add", 48, {154}},  // 104
+    {"shade", "walk_path", 896, {27, 99, 156, 157, 96, 30, 31, 102, 103, 165, 34, 35, 36, 52, 106}},  // 105
+    {"shade", "AddNormal::operator", 48, {29, 104}},  // 106
+    {"shadow", "search_to_light", 8, {}},  // 107
+    {"shadow_point", "search_from_light", 80, {162, 167, 168}},  // 108
+    {"sphere", "sphere_normal", 96, {154, 157, 167}},  // 109
+    {"sphere", "intersect_sphere", 112, {157, 162, 167}},  // 110
+    {"texture", "in_repeats", 48, {162}},  // 111
+    {"texture", "layer_color", 192, {154, 111, 157, 113, 167}},  // 112
+    {"texture", "texture_color", 48, {130, 118, 157, 122, 116}},  // 113
+    {"texture", "place_of", 8, {}},  // 114
+    {"texture", "footprint", 96, {154, 162, 163, 168}},  // 115
+    {"texture", "is_beyond (part)", 8, {}},  // 116
+    {"texture_image", "neighbours", 8, {}},  // 117
+    {"texture_image", "image_color", 128, {119, 120, 163, 114}},  // 118
+    {"texture_image", "image_level", 208, {117, 120, 121}},  // 119
+    {"texture_image", "mix", 96, {154, 167}},  // 120
+    {"texture_image", "texel", 8, {}},  // 121
+    {"texture_inclusion", "inclusion_color", 96, {154, 157, 124, 167}},  // 122
+    {"texture_inclusion", "largest_stretch", 8, {}},  // 123
+    {"texture_inclusion", "inclusion_coverage", 1552, {125, 126, 114, 127, 128}},  // 124
+    {"texture_inclusion", "outermost_point_cell", 48, {126, 128}},  // 125
+    {"texture_inclusion", "times", 8, {}},  // 126
+    {"texture_inclusion", "Inclusion::is_open", 96, {123, 126, 128}},  // 127
+    {"texture_inclusion", "read_vec2", 8, {}},  // 128
+    {"texture_wood", "pxm::floor_integer", 8, {}},  // 129
+    {"texture_wood", "wood_color", 192, {154, 157, 132, 133, 163, 114, 136, 167}},  // 130
+    {"texture_wood", "ring_darkness", 48, {129}},  // 131
+    {"texture_wood", "board_darkness", 48, {134, 135}},  // 132
+    {"texture_wood", "share_in_stripes", 48, {137}},  // 133
+    {"texture_wood", "noise", 112, {129, 138}},  // 134
+    {"texture_wood", "rings_at", 48, {131, 134}},  // 135
+    {"texture_wood", "scramble", 8, {}},  // 136
+    {"texture_wood", "share_in_stripes (part)", 32, {129}},  // 137
+    {"texture_wood", "noise (part)", 16, {136}},  // 138
+    {"trace", "PixelStore::byte", 8, {}},  // 139
+    {"trace", "render_pixel", 688, {154, 98, 89, 90, 67, 142, 143, 5, 37, 166, 61, 52}},  // 140
+    {"trace", "pixel_program", 976, {139, 140, 88, 49}},  // 141
+    {"trace", "Tracer::shade", 128, {154, 157, 91, 56}},  // 142
+    {"trace", "Tracer::is_most", 8, {}},  // 143
+    {"trace_all", "PixelStore::byte", 8, {}},  // 144
+    {"trace_all", "Tracer::shade (part)", 256, {154, 157, 11, 107, 108, 91, 150, 56}},  // 145
+    {"trace_all", "render_pixel", 3440, {148, 149, 5}},  // 146
+    {"trace_all", "pixel_program", 976, {144, 146, 88, 148, 49}},  // 147
+    {"trace_all", "Cell::Cell", 8, {}},  // 148
+    {"trace_all", "Tracer::look_along", 128, {154, 90, 150, 151, 152, 153, 166}},  // 149
+    {"trace_all", "Tracer::meets_plane", 8, {89}},  // 150
+    {"trace_all", "Tracer::look_through_covers", 560, {98, 10, 148, 152, 153, 37, 166, 52}},  // 151
+    {"trace_all", "Tracer::shade", 160, {154, 145, 71}},  // 152
+    {"trace_all", "Tracer::is_most", 8, {}},  // 153
+    {"vectors", "add_scaled", 8, {}},  // 154
+    {"vectors", "read_affine", 96, {156, 157}},  // 155
+    {"vectors", "read_linear", 32, {157}},  // 156
+    {"vectors", "read_vector", 8, {}},  // 157
+    {"vectors", "transform_ray", 48, {159, 161}},  // 158
+    {"vectors", "transform_point", 8, {}},  // 159
+    {"vectors", "transform_normal", 64, {162}},  // 160
+    {"vectors", "transform_direction", 8, {}},  // 161
+    {"vectors", "dot", 8, {}},  // 162
+    {"vectors", "scale", 8, {}},  // 163
+    {"vectors", "rebase", 80, {154, 162, 167}},  // 164
+    {"vectors", "compose", 48, {161}},  // 165
+    {"vectors", "point_at", 8, {154}},  // 166
+    {"vectors", "subtract", 8, {}},  // 167
+    {"vectors", "normalize", 64, {162, 163}},  // 168
 };
 // clang-format on
 

@@ -9,6 +9,7 @@
 #include "host/render/engine.hpp"
 #include "host/render/gather.hpp"
 #include "host/render/native_node.hpp"
+#include "host/wide/wide_engine.hpp"
 #include "pxm/frame_buffer.hpp"
 
 namespace pxm::host {
@@ -107,6 +108,7 @@ EngineResult run_what_is_needed(const CompiledScene& scene, const EngineChoice& 
 
 EngineResult run_natively(const CompiledScene& scene, const EngineChoice& choice,
                           const RunControl& control) {
+    if (choice.intersect == IntersectMethod::wide) return wide::run_wide(scene, choice, control);
     switch (choice.numeric) {
         case Numeric::twice:
             return run_what_is_needed<double>(scene, choice, control);

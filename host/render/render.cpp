@@ -12,6 +12,8 @@
 #include "host/render/link.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
+#include "host/scene/words.hpp"
+#include "host/wide/wide_scene.hpp"
 
 namespace pxm::host {
 
@@ -31,6 +33,22 @@ class PhaseClock {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+struct IntersectChoice {
+    IntersectMethod method = IntersectMethod::heap;
+    std::string because;
+};
+
+/// What `auto` stands for: the wide engine wherever it applies.
+IntersectChoice choose_intersect(IntersectMethod asked, const std::string& why_not_wide) {
+    if (asked == IntersectMethod::heap || asked == IntersectMethod::fast) {
+        return {asked, "it was asked for"};
+    }
+    if (!why_not_wide.empty()) return {IntersectMethod::heap, why_not_wide};
+    return {IntersectMethod::wide, asked == IntersectMethod::wide
+                                       ? "it was asked for"
+                                       : "a native render in float whose objects it can do"};
+}
+
 /// A scene that was parsed, checked and compiled without an error.
 struct Prepared {
     Scene scene;
@@ -48,7 +66,6 @@ Prepared prepare(const RenderRequest& request) {
     if (!diagnostics.has_errors()) {
         apply(request.overrides, prepared.scene);
         check_scene(prepared.scene, diagnostics);
-        check_supported(prepared.scene, diagnostics);
     }
     prepared.parse_seconds = clock.lap();
     if (!diagnostics.has_errors()) {
@@ -65,6 +82,24 @@ Prepared prepare(const RenderRequest& request) {
 Numeric numeric_of(const Prepared& prepared, const RenderRequest& request) {
     const RenderBlock render = prepared.scene.render.value_or(RenderBlock{});
     return render.numeric.value_or(request.machine ? Numeric::dsp32 : Numeric::single);
+}
+
+/// How the first cells are found. To insist on the wide engine where it does not apply is an error
+/// of whoever insists.
+IntersectChoice intersect_of(const Prepared& prepared, const RenderRequest& request) {
+    const RenderBlock render = prepared.scene.render.value_or(RenderBlock{});
+    const IntersectMethod asked = render.intersect.value_or(IntersectMethod::automatic);
+    const std::string why_not =
+        request.machine ? "the machine's nodes have no wide registers"
+                        : wide::why_not_wide(prepared.compiled, numeric_of(prepared, request));
+    if (asked != IntersectMethod::wide || why_not.empty()) return choose_intersect(asked, why_not);
+    if (request.overrides.intersect) {
+        throw Error(ExitCode::command_line, "--intersect wide: " + why_not);
+    }
+    Diagnostics diagnostics;
+    diagnostics.error(render.intersect_position, "render: 'intersect: wide': " + why_not);
+    diagnostics.throw_if_errors(prepared.scene.files);
+    return {};
 }
 
 const char* name_of(Numeric numeric) {
@@ -86,9 +121,11 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     const Prepared prepared = prepare(request);
     const NodeProgram program = link(prepared.compiled);
     if (request.machine) require_fit(program, std::string(request.machine->name));
+    const IntersectChoice intersect = intersect_of(prepared, request);
     const EngineChoice choice{request.machine,     numeric_of(prepared, request),
                               request.threads,     program.modules_bytes(),
-                              program.stack_bytes, request.costs};
+                              program.stack_bytes, request.costs,
+                              intersect.method};
     EngineResult run = request.machine ? run_on_machine(prepared.compiled, choice, control)
                                        : run_natively(prepared.compiled, choice, control);
 
@@ -114,6 +151,8 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     statistics.numeric = name_of(choice.numeric);
     statistics.size = prepared.compiled.size;
     statistics.threads = request.threads;
+    statistics.intersect = word_of(intersect_words, intersect.method);
+    statistics.intersect_because = intersect.because;
     statistics.rays = run.rays;
     statistics.scene_block_words = run.scene_block_words;
     statistics.scene_block_hash = run.scene_block_hash;

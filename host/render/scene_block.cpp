@@ -26,6 +26,7 @@ void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.integer(Header::shading, static_cast<std::uint32_t>(scene.shading));
     block.integer(Header::projection, static_cast<std::uint32_t>(scene.camera.projection));
     block.integer(Header::cell_cap, scene.cell_cap);
+    block.integer(Header::method, static_cast<std::uint32_t>(scene.method));
     block.vector(Header::eye, {0, 0, 0});
     block.vector(Header::corner, scene.camera.corner);
     block.vector(Header::across, scene.camera.across);

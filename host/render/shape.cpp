@@ -8,6 +8,22 @@
 
 namespace pxm::host {
 
+namespace {
+
+/// For every map the diameter of the largest volume that it may stand in.
+std::vector<double> diameters_around(const Rifs& rifs, const std::vector<CompiledVolume>& volumes) {
+    std::vector<double> around(rifs.maps.size(), 0);
+    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
+        for (const int map : rifs.follow_sets[s].maps) {
+            double& largest = around[static_cast<std::size_t>(map)];
+            largest = std::max(largest, volumes[s].diameter);
+        }
+    }
+    return around;
+}
+
+}  // namespace
+
 Frame frame_around(const Ball& ball) { return {ball.center, power_of_two_near(ball.radius)}; }
 
 double power_of_two_near(double x) {
@@ -37,25 +53,8 @@ double constant_by(kernels::Lipschitz method, const Affine& map) {
                                                      : lipschitz_constant(map);
 }
 
-namespace {
-
-/// For every map the diameter of the largest volume that it may stand in.
-std::vector<double> diameters_around(const Rifs& rifs, const std::vector<CompiledVolume>& volumes) {
-    std::vector<double> around(rifs.maps.size(), 0);
-    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
-        for (const int map : rifs.follow_sets[s].maps) {
-            double& largest = around[static_cast<std::size_t>(map)];
-            largest = std::max(largest, volumes[s].diameter);
-        }
-    }
-    return around;
-}
-
-}  // namespace
-
 CompiledShape make_shape(const Rifs& rifs, const std::vector<CompiledVolume>& volumes,
                          const Frame& frame, kernels::Lipschitz method) {
-    const std::vector<double> around = diameters_around(rifs, volumes);
     CompiledShape shape;
     shape.ifs = rifs.name;
     shape.map_names = rifs.map_names;
@@ -65,13 +64,13 @@ CompiledShape make_shape(const Rifs& rifs, const std::vector<CompiledVolume>& vo
         shape.sets.push_back(
             {in_frame(volumes[s], frame.center, frame.scale), rifs.follow_sets[s].maps});
     }
+    const std::vector<double> around = diameters_around(rifs, volumes);
     for (std::size_t i = 0; i < rifs.maps.size(); ++i) {
         const Affine& map = rifs.maps[i];
+        const auto set = static_cast<std::size_t>(rifs.follow_of[i]);
         shape.maps.push_back({{map.linear, (map.point(frame.center) - frame.center) / frame.scale},
                               constant_by(method, map),
-                              smallest_singular_value(map) *
-                                  volumes[static_cast<std::size_t>(rifs.follow_of[i])].diameter /
-                                  around[i],
+                              smallest_singular_value(map) * volumes[set].diameter / around[i],
                               glm::dvec4{0.0},
                               rifs.follow_of[i],
                               {}});

@@ -74,6 +74,8 @@ struct Statistics {
     PixelSize size;
     int threads = 1;
     PhaseSeconds seconds;
+    std::string intersect;          // "heap" or "wide"
+    std::string intersect_because;  // why this one
     RayStatistics rays;
     std::uint64_t scene_block_words = 0;
     std::uint64_t scene_block_hash = 0;

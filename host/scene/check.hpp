@@ -11,8 +11,4 @@ namespace pxm::host {
 /// `diagnostics`.
 void check_scene(const Scene& scene, Diagnostics& diagnostics);
 
-/// Reports, as errors that say "not supported yet", what the scene uses and this version cannot
-/// render.
-void check_supported(const Scene& scene, Diagnostics& diagnostics);
-
 }  // namespace pxm::host

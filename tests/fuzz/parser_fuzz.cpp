@@ -19,7 +19,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Scene scene = parse_text("fuzz.pxm", text, diagnostics, refuse);
     const bool accepted = !diagnostics.has_errors();
     check_scene(scene, diagnostics);
-    check_supported(scene, diagnostics);
     (void)diagnostics.text(scene.files);
     if (!accepted) return 0;
     Diagnostics again;

@@ -106,12 +106,21 @@ TEST_F(BadScene, an_image_of_no_or_of_a_billion_pixels_is_code_3) {
                   {"error: image: 'crop' is not inside the image of 8,8"});
 }
 
-TEST_F(BadScene, what_cannot_be_rendered_yet_is_code_3) {
-    const std::string tetra = tetra_scene;
-    const auto unsupported = [&](const std::string& block) {
-        refuse_naming(tetra + block, {"a.pxm:7:", "not supported yet", block});
-    };
-    unsupported("render { intersect: wide }");
+TEST_F(BadScene, a_map_or_volume_that_chapter_13_does_not_project_is_named) {
+    const std::string fast = "render { intersect: fast }\n";
+    refuse(fast + "ifs a {\n    newmap scale: 0.5\n    newmap turned scale: 0.5 rotate: y,9\n}\n",
+           "4:5: error: intersect: fast takes maps that scale uniformly and translate; map "
+           "\"turned\" of ifs \"a\" does more\n    newmap turned scale: 0.5 rotate: y,9\n"
+           "    ^");
+    refuse(fast +
+               "ifs a { newmap scale: 0.5 newmap scale: 0.5 translate: 1,0,0 }\n"
+               "object o { ifs: a box: (-1,-1,-1)(3,1,1) }\n",
+           "3:1: error: intersect: fast takes bounding spheres; object \"o\" has another volume "
+           "(say volume: sphere)\n    object o { ifs: a box: (-1,-1,-1)(3,1,1) }\n    ^");
+    refuse(tetra_scene + std::string("render { intersect: fast covers: on }\n"),
+           "7:10: error: intersect: fast finds the first cell along a ray; local covers and "
+           "translucent objects take the cells behind it too\n"
+           "    render { intersect: fast covers: on }\n             ^");
 }
 
 TEST_F(BadScene, several_errors_are_told_in_one_run) {

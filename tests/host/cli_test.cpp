@@ -107,8 +107,9 @@ TEST_F(CommandLine, a_window_or_pixel_outside_the_image_is_code_2) {
     refuse({"--pixel", "7"}, "--pixel: found \"7\", expected x,y");
 }
 
-TEST_F(CommandLine, what_cannot_be_rendered_yet_is_code_2) {
-    refuse({"--intersect", "wide"}, "--intersect wide: not supported yet");
+TEST_F(CommandLine, the_wide_engine_where_it_does_not_apply_is_code_2) {
+    refuse({"--intersect", "wide", "--numeric", "double"},
+           "--intersect wide: the numbers are double, and the wide engine's are float");
 }
 
 TEST_F(CommandLine, an_output_that_is_no_picture_format_is_code_2) {

@@ -112,7 +112,7 @@ TEST_F(Render, a_png_holds_the_srgb_curve_of_the_exr) {
 }
 
 TEST_F(Render, the_channels_say_what_happened) {
-    render("a.exr", {"--aov", all_channels});
+    render("a.exr", {"--aov", all_channels, "--intersect", "heap"});
     const LoadedImage a = image("a.exr");
     std::size_t hits = 0;
     for (std::size_t i = 0; i < pixels(a); ++i) {

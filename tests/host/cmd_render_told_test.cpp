@@ -156,7 +156,7 @@ Descent descent(const std::string& text) {
 }
 
 TEST_F(Told, a_pixels_descent_ends_as_the_render_shows_it) {
-    (void)statistics({});
+    (void)statistics({"--intersect", "heap"});
     const LoadedImage a = picture();
     const auto before = folder.contents();
     for (const auto& [x, y] : {std::pair{35, 26}, {34, 14}, {0, 0}, {69, 52}}) {

@@ -18,7 +18,6 @@ CompiledScene compile_text(const std::string& text, double zoom) {
     const Scene scene = parse_text("test.pxm", text, diagnostics);
     stop_on_errors(scene);
     check_scene(scene, diagnostics);
-    check_supported(scene, diagnostics);
     stop_on_errors(scene);
     CompiledScene compiled = compile(scene, zoom, diagnostics);
     stop_on_errors(scene);

@@ -179,7 +179,7 @@ TEST(MachineEngine, a_scene_too_large_for_the_back_buffer_is_a_fault) {
     for (int i = 0; i < 2000; ++i) {
         many += "object o" + std::to_string(i) + " { ifs: tetra }\n";
     }
-    const std::size_t words = make_scene_block<dsp32::Float>(compile_text(many)).size();
+    const std::size_t words = make_scene_block<dsp32::Float>(test::compile_text(many)).size();
     EXPECT_EQ(
         fault_of(many, on_machine("964dX", 16, 16)),
         fmt::format("5: the back buffer of node 0 of the 964dX is too small: {} bytes wanted, "

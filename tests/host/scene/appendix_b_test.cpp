@@ -164,7 +164,6 @@ Scene accepted(const std::string& text) {
     const Scene scene = test::parsed(text);
     Diagnostics diagnostics;
     check_scene(scene, diagnostics);
-    check_supported(scene, diagnostics);
     EXPECT_EQ(diagnostics.text(scene.files), "");
     return scene;
 }

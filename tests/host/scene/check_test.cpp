@@ -10,7 +10,6 @@ namespace pxm::host {
 namespace {
 
 using test::check_messages;
-using test::support_messages;
 
 const std::string an_ifs = "ifs a { newmap scale: 0.5 } ";
 
@@ -183,23 +182,6 @@ TEST(Check, maps_are_counted) {
     for (std::size_t i = 0; i <= maps_an_ifs; ++i) text += "newmap ";
     EXPECT_NE(test::parse_messages(text + "}").find("more than 65536 maps in an ifs"),
               std::string::npos);
-}
-
-TEST(CheckSupported, says_what_this_version_cannot_render) {
-    for (const char* blocks : {"render { intersect: fast }", "render { intersect: wide }"}) {
-        const std::string messages = support_messages(an_ifs + blocks);
-        EXPECT_NE(messages.find("not supported yet"), std::string::npos) << blocks;
-        EXPECT_NE(messages.find("s.pxm:1:"), std::string::npos) << messages;
-    }
-}
-
-TEST(CheckSupported, is_silent_about_what_is_rendered) {
-    EXPECT_EQ(support_messages(an_ifs +
-                               "object o { ifs: a cone reflect: 0.1 opacity: 0.5 } "
-                               "plane { normal: 0,1,0 texture: t reflect: 0.5 } texture t { wood } "
-                               "light { position: 1,0,0 shadow: on } render { covers: on "
-                               "samples: 2 intersect: heap numeric: dsp32 volume: box }"),
-              "");
 }
 
 }  // namespace

@@ -33,7 +33,6 @@ void survives(const std::string& text) {
         ASSERT_TRUE(test::parsed(print_scene(scene)) == scene);
     }
     check_scene(scene, diagnostics);
-    check_supported(scene, diagnostics);
     (void)diagnostics.text(scene.files);
 }
 

@@ -43,11 +43,4 @@ inline std::string check_messages(const std::string& text) {
     return diagnostics.text(scene.files);
 }
 
-inline std::string support_messages(const std::string& text) {
-    const host::Scene scene = parsed(text);
-    host::Diagnostics diagnostics;
-    host::check_supported(scene, diagnostics);
-    return diagnostics.text(scene.files);
-}
-
 }  // namespace pxm::test

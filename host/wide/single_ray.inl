@@ -1,0 +1,228 @@
+// One ray below a start cell: the children of a cell in lanes (steps 2.4.1 to 2.4.4 of Alg. 12.4
+// for all maps at once). The composed maps of a cell's children are the same for all rays of the
+// tile: they are made when the first ray opens the cell and kept while the tile lasts. The ray goes
+// on with the nearest child, and what is left waits on a stack, sorted.
+#if defined(PXM_HOST_WIDE_SINGLE_RAY_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PXM_HOST_WIDE_SINGLE_RAY_INL
+#undef PXM_HOST_WIDE_SINGLE_RAY_INL
+#else
+#define PXM_HOST_WIDE_SINGLE_RAY_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include "host/wide/lanes.inl"
+#include "host/wide/tile_search.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace pxm::host::wide::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A cell whose children are to be made: where it is seen from the start cell, and how large.
+struct Opening {
+    const float* map;     // 12 numbers, `stride` apart
+    const float* linear;  // 9 numbers, `stride` apart (polar)
+    int stride;
+    float constant;
+    int set;
+    std::uint32_t level;
+    int parent;
+    int lane;
+};
+
+/// Makes the block of a cell's children.
+inline int make_block(const WideScene& scene, Workspace& work, const Opening& cell,
+                      std::uint32_t last_level) {
+    const hn::ScalableTag<float> d;
+    using V = hn::VFromD<decltype(d)>;
+    const WideSet& set = scene.sets[static_cast<std::size_t>(cell.set)];
+    const int stride = set.stride;
+    Block block;
+    block.set = cell.set;
+    block.parent = cell.parent;
+    block.lane = cell.lane;
+    block.level = cell.level + 1;
+    block.last = block.level == last_level;
+    const int rows = set.polar ? Block::polar_rows : Block::product_rows;
+    block.rows = work.arena.floats(static_cast<std::size_t>(rows * stride));
+    block.opened = work.arena.ints(static_cast<std::size_t>(stride));
+    for (int i = 0; i < stride; ++i) block.opened[i] = -1;
+    const auto outer = [&](const float* from, int row) HWY_ATTR {
+        const float* p = from + 3 * row * cell.stride;
+        return Lanes3<V>{hn::Set(d, p[0]), hn::Set(d, p[cell.stride]),
+                         hn::Set(d, p[2 * cell.stride])};
+    };
+    for (int i = 0; i < stride; i += static_cast<int>(hn::Lanes(d))) {
+        const float* table = set.single.row(0) + i;
+        const Lanes3x3<V> k = load3x3(d, table, stride);
+        for (int r = 0; r < 3; ++r) {
+            store3(transform(outer(cell.map, r), k), d, block.rows + 3 * r * stride + i, stride);
+        }
+        store3(add(transform(outer(cell.map, 3), k),
+                   load3(d, table + ChildField::offset * stride, stride)),
+               d, block.rows + 9 * stride + i, stride);
+        V diameter = hn::LoadU(d, table + ChildField::diameter * stride);
+        if (set.polar) {
+            const Lanes3x3<V> t = load3x3(d, table + ChildField::forward * stride, stride);
+            const Lanes3x3<V> linear{
+                {outer(cell.linear, 0), outer(cell.linear, 1), outer(cell.linear, 2)}};
+            const Lanes3x3<V> inner{{transform(t.row[0], linear), transform(t.row[1], linear),
+                                     transform(t.row[2], linear)}};
+            for (int r = 0; r < 3; ++r) {
+                store3(inner.row[r], d, block.rows + (Block::linear + 3 * r) * stride + i, stride);
+            }
+            diameter = hn::Mul(diameter, largest_singular_value(d, inner));
+        } else {
+            const V constant = hn::Mul(hn::LoadU(d, table + ChildField::constant * stride),
+                                       hn::Set(d, cell.constant));
+            hn::StoreU(constant, d, block.rows + Block::constant * stride + i);
+            diameter = hn::Mul(diameter, constant);
+        }
+        hn::StoreU(diameter, d, block.rows + Block::diameter * stride + i);
+    }
+    work.blocks.push_back(block);
+    return static_cast<int>(work.blocks.size()) - 1;
+}
+
+/// The block of a waiting cell's children.
+inline int open_cell(const WideScene& scene, Workspace& work, int block_index, int lane,
+                     std::uint32_t last_level) {
+    const Block& block = work.blocks[static_cast<std::size_t>(block_index)];
+    if (block.opened[lane] >= 0) return block.opened[lane];
+    const WideSet& set = scene.sets[static_cast<std::size_t>(block.set)];
+    int* opened = block.opened;
+    const Opening cell{block.rows + lane,
+                       block.rows + Block::linear * set.stride + lane,
+                       set.stride,
+                       set.polar ? 0.0F : block.rows[Block::constant * set.stride + lane],
+                       set.sets[static_cast<std::size_t>(lane)],
+                       block.level,
+                       block_index,
+                       lane};
+    return opened[lane] = make_block(scene, work, cell, last_level);
+}
+
+/// A ray in a start cell's unit coordinates; depths are measured from the start cell's base.
+struct RayInStart {
+    float origin[3];
+    float direction[3];
+    float pixel_base;  // detail * p = max(pixel_base + pixel_growth * depth, pixel_least)
+    float pixel_growth;
+    float pixel_least;
+    float pass_share;  // allowed_share, of p itself
+    float slack;       // of depth, that rounding may cause
+    float best;        // no cell beyond is of interest
+    float found;       // depth of the terminal cell found
+
+    /// How much nearer than a terminal cell another need not be looked for.
+    [[nodiscard]] float passed_over(float depth) const {
+        return pass_share * std::max(pixel_base + pixel_growth * depth, pixel_least);
+    }
+};
+
+/// The children of a block that the ray meets within [key, exit] and nearer than its best, in the
+/// order of the lanes: depths and lanes. Returns how many; terminal ones have `terminal_bit`.
+inline constexpr std::int32_t terminal_bit = 1 << 30;
+
+inline int meet_children(const Block& block, const WideSet& set, const RayInStart& ray, float key,
+                         float exit, float* keys, float* exits, std::int32_t* lanes) {
+    const hn::ScalableTag<float> d;
+    const hn::RebindToSigned<decltype(d)> di;
+    using V = hn::VFromD<decltype(d)>;
+    const Lanes3<V> origin = broadcast(d, ray.origin);
+    const Lanes3<V> direction = broadcast(d, ray.direction);
+    const V outer_key = hn::Set(d, key), outer_exit = hn::Set(d, exit);
+    const V best = hn::Set(d, ray.best), slack = hn::Set(d, ray.slack);
+    int count = 0;
+    for (int i = 0; i < set.count; i += static_cast<int>(hn::Lanes(d))) {
+        const float* rows = block.rows + i;
+        const Lanes3x3<V> map = load3x3(d, rows, set.stride);
+        const Lanes3<V> o =
+            add(transform(origin, map), load3(d, rows + 9 * set.stride, set.stride));
+        const Lanes3<V> v = transform(direction, map);
+        const LaneInterval<V> inside = set.spheres ? in_unit_ball(d, o, v) : in_unit_cube(d, o, v);
+        auto met = hn::Le(inside.key, inside.exit);  // not NaN
+        const V from = hn::Max(outer_key, inside.key);
+        const V to = hn::Min(outer_exit, inside.exit);
+        met = hn::And(met, hn::Le(from, hn::Add(to, slack)));
+        met = hn::And(met, hn::Lt(from, best));
+        met = hn::And(met, hn::FirstN(d, static_cast<std::size_t>(set.count - i)));
+        if (hn::AllFalse(d, met)) continue;
+        const V p = hn::Max(
+            hn::Add(hn::Set(d, ray.pixel_base), hn::Mul(hn::Set(d, ray.pixel_growth), from)),
+            hn::Set(d, ray.pixel_least));
+        const V diameter = hn::LoadU(d, rows + Block::diameter * set.stride);
+        const auto terminal = block.last ? hn::FirstN(d, hn::Lanes(d)) : hn::Le(diameter, p);
+        const auto lane = hn::Or(hn::Iota(di, i), hn::IfThenElseZero(hn::RebindMask(di, terminal),
+                                                                     hn::Set(di, terminal_bit)));
+        // In registers, then whole ones to memory: compressing stores are microcode on some chips.
+        hn::StoreU(hn::Compress(from, met), d, keys + count);
+        hn::StoreU(hn::Compress(hn::Max(from, to), met), d, exits + count);
+        hn::StoreU(hn::Compress(lane, hn::RebindMask(di, met)), di, lanes + count);
+        count += static_cast<int>(hn::CountTrue(d, met));
+    }
+    return count;
+}
+
+/// Room for the children of a cell, and for what a register writes beyond them.
+inline constexpr int most_children = most_maps;
+inline constexpr int register_room = 64;
+
+struct MetChildren {
+    alignas(64) float keys[most_children + register_room];
+    alignas(64) float exits[most_children + register_room];
+    alignas(64) std::int32_t lanes[most_children + register_room];
+};
+
+/// Follows a ray from the start cell (already met, not terminal) to the nearest terminal cell that
+/// is nearer than `ray.best`. True, and `found` changed, if there is one.
+inline bool follow_ray(const WideScene& scene, Workspace& work, RayInStart& ray, float key,
+                       float exit, int root, std::uint32_t last_level, Found& found) {
+    MetChildren met;
+    std::vector<Waiting>& stack = work.stack;
+    stack.clear();
+    bool improved = false;
+    int block_index = root;
+    while (true) {
+        const Block& block = work.blocks[static_cast<std::size_t>(block_index)];
+        const WideSet& set = scene.sets[static_cast<std::size_t>(block.set)];
+        const int count = meet_children(block, set, ray, key, exit, met.keys, met.exits, met.lanes);
+        found.tested += static_cast<std::uint32_t>(set.count);
+        const std::size_t first = stack.size();
+        float nearest = ray.best;
+        for (int i = 0; i < count; ++i) {
+            const float child_key = met.keys[i];
+            if (!(child_key < nearest)) continue;
+            const std::int32_t lane = met.lanes[i] & ~terminal_bit;
+            if (met.lanes[i] & terminal_bit) {
+                nearest = child_key;
+                found.block = block_index;
+                found.lane = lane;
+                continue;
+            }
+            stack.push_back({child_key, met.exits[i], block_index, lane});
+            for (std::size_t k = stack.size() - 1; k > first && stack[k - 1].key < child_key; --k) {
+                std::swap(stack[k - 1], stack[k]);
+            }
+        }
+        if (nearest < ray.best) {
+            ray.found = nearest;
+            ray.best = nearest - ray.passed_over(nearest);
+            improved = true;
+        }
+        if (found.tested >= scene.cell_cap) found.given_up = true;
+        while (!stack.empty() && !(stack.back().key < ray.best)) stack.pop_back();
+        if (stack.empty() || found.given_up) return improved;
+        const Waiting next = stack.back();
+        stack.pop_back();
+        key = next.key;
+        exit = next.exit;
+        block_index = open_cell(scene, work, next.block, next.lane, last_level);
+    }
+}
+
+}  // namespace pxm::host::wide::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

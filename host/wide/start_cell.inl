@@ -1,0 +1,125 @@
+// A start cell and the rays of the tile, rays in lanes, in float: which rays meet it, and where.
+#if defined(PXM_HOST_WIDE_START_CELL_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PXM_HOST_WIDE_START_CELL_INL
+#undef PXM_HOST_WIDE_START_CELL_INL
+#else
+#define PXM_HOST_WIDE_START_CELL_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <bit>
+#include <cmath>
+
+#include "host/wide/shared_levels.inl"
+#include "host/wide/single_ray.inl"
+
+HWY_BEFORE_NAMESPACE();
+namespace pxm::host::wide::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The rays in the cell's unit coordinates; returns those that meet it, a bit each.
+inline std::uint64_t meet_start_cell(const Workspace& work, const SharedCell& cell,
+                                     StartRays& rays) {
+    const hn::ScalableTag<float> d;
+    using V = hn::VFromD<decltype(d)>;
+    const TileView& tile = work.tile;
+    const auto row = [&](std::size_t i) HWY_ATTR {
+        return Lanes3<V>{hn::Set(d, static_cast<float>(cell.rows[3 * i])),
+                         hn::Set(d, static_cast<float>(cell.rows[3 * i + 1])),
+                         hn::Set(d, static_cast<float>(cell.rows[3 * i + 2]))};
+    };
+    const Lanes3<V> u_axis = row(0), v_axis = row(1), w_axis = row(2), middle = row(3);
+    const V base = hn::Set(d, static_cast<float>(cell.base));
+    const V behind_eye = hn::Neg(base);
+    std::uint64_t met = 0;
+    for (int i = 0; i < tile_rays; i += static_cast<int>(hn::Lanes(d))) {
+        const V u1 = hn::LoadU(d, tile.u1 + i), v1 = hn::LoadU(d, tile.v1 + i);
+        const V u = hn::Add(hn::LoadU(d, tile.u0 + i), hn::Mul(u1, base));
+        const V v = hn::Add(hn::LoadU(d, tile.v0 + i), hn::Mul(v1, base));
+        const Lanes3<V> o = add_scaled(add_scaled(middle, u, u_axis), v, v_axis);
+        const Lanes3<V> s = add_scaled(add_scaled(w_axis, u1, u_axis), v1, v_axis);
+        const LaneInterval<V> inside = cell.spheres ? in_unit_ball(d, o, s) : in_unit_cube(d, o, s);
+        const V key = hn::Max(inside.key, behind_eye);  // a ray starts at the eye
+        store3(o, d, rays.origin[0] + i, tile_rays);
+        store3(s, d, rays.direction[0] + i, tile_rays);
+        hn::StoreU(key, d, rays.key + i);
+        hn::StoreU(inside.exit, d, rays.exit + i);
+        const auto here = hn::And(hn::Le(inside.key, inside.exit), hn::Le(key, inside.exit));
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, here, bits);
+        std::uint64_t word = 0;
+        for (int k = 0; k < 8; ++k) word |= std::uint64_t{bits[k]} << (8 * k);
+        met |= word << i;
+    }
+    return met & tile.inside;
+}
+
+/// A ray has found a cell below a start cell, at that depth; `p` is the size of a pixel
+/// thereabouts.
+inline void note_found(Workspace& work, int ray, int start, double depth, double p) {
+    const auto at = static_cast<std::size_t>(ray);
+    work.found[at].start = start;
+    work.found[at].depth = depth;
+    work.best[at] = depth - static_cast<double>(allowed_share) * p;
+    work.improved = true;
+}
+
+/// Gives a start cell to the rays of the tile that meet it.
+inline void visit_start_cell(const WideScene& scene, Workspace& work, int index) {
+    const SharedCell cell = work.cells[static_cast<std::size_t>(index)];
+    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
+    StartRays& rays = work.start;
+    std::uint64_t met = meet_start_cell(work, cell, rays);
+    if (met == 0) return;
+    alignas(64) float map[12 * table_step] = {};  // the identity, as a block of one lane
+    for (const int i : {0, 4, 8}) map[i * table_step] = 1;
+    float linear[9 * table_step] = {};
+    for (std::size_t i = 0; i < 9; ++i) {
+        linear[i * table_step] = static_cast<float>(cell.linear[i]);
+    }
+    const Opening opening{map,      linear,     table_step, static_cast<float>(cell.constant),
+                          cell.set, cell.level, -1,         index};
+    int root = -1;
+    for (; met != 0; met &= met - 1) {
+        const int i = std::countr_zero(met);
+        const auto at = static_cast<std::size_t>(i);
+        ++work.found[at].tested;
+        const double key = cell.base + static_cast<double>(rays.key[i]);
+        if (!(key < work.best[at])) continue;
+        const double stretch = static_cast<double>(work.tile.stretch[i]);
+        const double growth = scene.camera.pixel_growth * stretch;
+        const double p = scene.camera.pixel_at_eye + growth * key;
+        const bool last = cell.level == object.levels;
+        if (last || cell.diameter <= scene.detail * std::max(p, object.smallest_pixel)) {
+            work.found[at].block = -1;
+            note_found(work, i, index, key, std::max(p, object.smallest_pixel));
+            continue;
+        }
+        RayInStart ray;
+        for (int k = 0; k < 3; ++k) {
+            ray.origin[k] = rays.origin[k][i];
+            ray.direction[k] = rays.direction[k][i];
+        }
+        const float* s = ray.direction;
+        ray.pixel_base =
+            static_cast<float>(scene.detail * (scene.camera.pixel_at_eye + growth * cell.base));
+        ray.pixel_growth = static_cast<float>(scene.detail * growth);
+        ray.pixel_least = static_cast<float>(scene.detail * object.smallest_pixel);
+        ray.pass_share = allowed_share / static_cast<float>(scene.detail);
+        ray.slack = 0x1p-20F / std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+        ray.best = static_cast<float>(work.best[at] - cell.base);
+        if (root < 0) root = make_block(scene, work, opening, object.levels);
+        Found& found = work.found[at];
+        if (follow_ray(scene, work, ray, rays.key[i], rays.exit[i], root, object.levels, found)) {
+            const double depth = cell.base + static_cast<double>(ray.found);
+            note_found(work, i, index, depth, std::max(p, object.smallest_pixel));
+        }
+    }
+}
+
+}  // namespace pxm::host::wide::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,188 @@
+#include "host/wide/wide_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "host/fractal/lipschitz.hpp"
+#include "host/render/scene_block.hpp"
+#include "host/wide/homotheties.hpp"
+
+namespace pxm::host::wide {
+
+namespace {
+
+constexpr double thinnest = 1e-7;  // half width of a box, of its diameter
+
+/// From the unit coordinates of a volume, in which it is the unit ball or the cube [-1,1]^3.
+Affine from_unit(const CompiledVolume& volume) {
+    const double least = thinnest * volume.diameter;
+    const glm::dvec3 half = glm::max((volume.high - volume.low) / 2.0, least);
+    switch (volume.kind) {
+        case kernels::Volume::sphere:
+            return {glm::dmat3{volume.radius}, volume.center};
+        case kernels::Volume::oriented:
+            return {glm::dmat3{volume.half[0], volume.half[1], volume.half[2]}, volume.center};
+        default:
+            return {glm::dmat3{half.x, 0, 0, 0, half.y, 0, 0, 0, half.z}, volume.center};
+    }
+}
+
+/// First `map`, then into the unit coordinates of `volume`.
+Affine into_unit(const Affine& map, const CompiledVolume& volume) {
+    return then(map, inverse(from_unit(volume)));
+}
+
+template <class T>
+void write_child(LaneTable<T>& table, int lane, const Affine& step, const CompiledMap& map,
+                 double diameter) {
+    const auto put = [&](int row, double value) { table.row(row)[lane] = static_cast<T>(value); };
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            put(ChildField::linear + 3 * i + j, step.linear[i][j]);
+            put(ChildField::forward + 3 * i + j, map.map.linear[i][j]);
+        }
+        put(ChildField::offset + i, step.translation[i]);
+    }
+    put(ChildField::constant, map.constant);
+    put(ChildField::diameter, diameter);
+}
+
+WideSet make_set(const CompiledShape& shape, const CompiledSet& set, int first_set) {
+    WideSet wide;
+    wide.count = static_cast<int>(set.maps.size());
+    wide.stride = (wide.count + table_step - 1) / table_step * table_step;
+    wide.polar = shape.lipschitz == kernels::Lipschitz::polar;
+    wide.twice = LaneTable<double>(ChildField::count, wide.stride);
+    wide.single = LaneTable<float>(ChildField::count, wide.stride);
+    for (int lane = 0; lane < wide.count; ++lane) {
+        const int symbol = set.maps[static_cast<std::size_t>(lane)];
+        const CompiledMap& map = shape.maps[static_cast<std::size_t>(symbol)];
+        const CompiledVolume& inner = shape.sets[static_cast<std::size_t>(map.follow_set)].volume;
+        const Affine step = into_unit(then(from_unit(set.volume), inverse(map.map)), inner);
+        write_child(wide.twice, lane, step, map, inner.diameter);
+        write_child(wide.single, lane, step, map, inner.diameter);
+        wide.maps.push_back(symbol);
+        wide.colors.push_back({static_cast<float>(map.color.r), static_cast<float>(map.color.g),
+                               static_cast<float>(map.color.b), static_cast<float>(map.color.a)});
+        wide.sets.push_back(first_set + map.follow_set);
+        wide.spheres = inner.kind == kernels::Volume::sphere;
+    }
+    return wide;
+}
+
+std::array<float, 3> floats(const glm::dvec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// Whether a volume is a ball or a box, in whatever axes, that is not flat.
+bool is_ball_or_box(const CompiledVolume& volume) {
+    if (volume.kind == kernels::Volume::oriented) {
+        return std::ranges::all_of(volume.half, [&](const glm::dvec3& half) {
+            return glm::length(half) > thinnest * volume.diameter;
+        });
+    }
+    return volume.kind == kernels::Volume::sphere || volume.kind == kernels::Volume::box;
+}
+
+bool has_balls(const CompiledSet& set) { return set.volume.kind == kernels::Volume::sphere; }
+
+/// What of an object the wide engine cannot do, if anything.
+std::string why_not(const CompiledShape& shape) {
+    if (shape.lifted) return "has singular maps, which were lifted";
+    if (!std::ranges::all_of(shape.sets, is_ball_or_box, &CompiledSet::volume)) {
+        return "has bounding volumes that are neither balls nor boxes";
+    }
+    const auto balls = std::ranges::count_if(shape.sets, has_balls);
+    if (balls != 0 && balls != std::ssize(shape.sets)) return "has balls and boxes side by side";
+    if (shape.maps.size() > most_maps) return fmt::format("has more than {} maps", most_maps);
+    return "";
+}
+
+}  // namespace
+
+std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
+    if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
+    if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
+    if (needs_covers(scene)) return "local covers and translucent objects are the clear kernels'";
+    if (needs_shadows(scene)) return "shadows are the clear kernels'";
+    if (needs_mirrors(scene)) return "mirrors are the clear kernels'";
+    if (!scene.planes.empty()) return "planes are the clear kernels'";
+    const bool points = std::ranges::any_of(scene.lights, [](const CompiledLight& light) {
+        return light.kind == kernels::LightKind::point;
+    });
+    if (points) return "point lights are the clear kernels'";
+    if (scene.samples.size() > 1) return "several samples a pixel are the clear kernels'";
+    for (const CompiledObject& object : scene.objects) {
+        const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
+        const std::string reason = why_not(shape);
+        if (!reason.empty()) return fmt::format("object \"{}\" {}", object.name, reason);
+    }
+    return "";
+}
+
+std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
+    const std::string reason = why_not_wide(scene, Numeric::single);
+    std::vector<ObjectMethod> methods;
+    for (const CompiledObject& object : scene.objects) {
+        const std::size_t maps = scene.shapes[static_cast<std::size_t>(object.shape)].maps.size();
+        if (!reason.empty()) {
+            methods.push_back({object.name, "heap", reason});
+        } else if (!has_fixed_direction(scene, object)) {
+            methods.push_back({object.name, "wide, composed maps", "maps that are no homotheties"});
+        } else if (maps * maps <= table_step) {
+            methods.push_back({object.name, "wide, grandchildren", "few maps, all homotheties"});
+        } else {
+            methods.push_back({object.name, "wide, children", "many maps, all homotheties"});
+        }
+    }
+    return methods;
+}
+
+WideScene make_wide_scene(const CompiledScene& scene) {
+    WideScene wide;
+    wide.camera = scene.camera;
+    wide.detail = scene.detail;
+    wide.cell_cap = scene.cell_cap;
+    wide.unit = scene.unit;
+    wide.shading = scene.shading;
+    wide.ambient = floats(scene.ambient);
+    wide.background = floats(scene.background);
+    wide.lights = scene.lights;
+    std::vector<int> first_sets;
+    for (const CompiledShape& shape : scene.shapes) {
+        first_sets.push_back(static_cast<int>(wide.sets.size()));
+        for (const CompiledSet& set : shape.sets) {
+            wide.sets.push_back(make_set(shape, set, first_sets.back()));
+        }
+    }
+    for (const CompiledObject& object : scene.objects) {
+        const auto index = static_cast<std::size_t>(object.shape);
+        const CompiledShape& shape = scene.shapes[index];
+        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(shape.start)].volume;
+        WideObject result;
+        result.to_unit = into_unit(inverse(object.instance), volume);
+        result.linear = object.instance.linear;
+        result.set = first_sets[index] + shape.start;
+        result.spheres = volume.kind == kernels::Volume::sphere;
+        result.constant = object.constant;
+        result.diameter = volume.diameter;
+        result.smallest_pixel = smallest_pixel_share<double>() * object.diameter;
+        result.levels = object.levels;
+        result.colored =
+            std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
+        result.color = floats(object.color);
+        result.diffuse = static_cast<float>(object.diffuse);
+        result.center = object.instance.point(volume.center);
+        result.radius = lipschitz_constant(object.instance) * volume.radius;
+        result.fixed_direction = has_fixed_direction(scene, object);
+        wide.objects.push_back(result);
+    }
+    tabulate_homotheties(wide);
+    return wide;
+}
+
+}  // namespace pxm::host::wide

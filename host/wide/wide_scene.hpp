@@ -1,0 +1,132 @@
+// A compiled scene as tables for wide registers: for every follow set the maps that may come next,
+// one in each lane. Cells have *unit coordinates*, in which their volume is the unit ball or the
+// cube [-1,1]^3: going from a cell to its child is one affine map K between unit coordinates,
+// whatever the volumes are (steps 2.4.1 to 2.4.3 of Alg. 12.4).
+#pragma once
+
+#include <hwy/aligned_allocator.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "host/render/compiled_scene.hpp"
+
+namespace pxm::host::wide {
+
+inline constexpr int table_step = 16;  // children are padded to multiples of the widest register
+inline constexpr std::size_t most_maps = 1024;  // of an object
+
+/// What is tabulated of a child, one row of the table each: K, the map's linear part, the rest.
+struct ChildField {
+    static constexpr int linear = 0;     // 9: K's linear part by rows
+    static constexpr int offset = 9;     // 3: K's translation
+    static constexpr int forward = 12;   // 9: T_i by rows
+    static constexpr int constant = 21;  // of the map, by the shape's Lipschitz method
+    static constexpr int diameter = 22;  // of the child's volume
+    static constexpr int count = 23;
+};
+
+/// Rows of numbers, each a multiple of table_step long and aligned for every register.
+template <class T>
+class LaneTable {
+  public:
+    LaneTable() = default;
+    LaneTable(int rows, int stride)
+        : stride_(stride),
+          data_(hwy::AllocateAligned<T>(static_cast<std::size_t>(rows) *
+                                        static_cast<std::size_t>(stride))) {
+        for (int i = 0; i < rows * stride; ++i) data_[static_cast<std::size_t>(i)] = T(0);
+    }
+    [[nodiscard]] T* row(int i) { return data_.get() + static_cast<std::ptrdiff_t>(i) * stride_; }
+    [[nodiscard]] const T* row(int i) const {
+        return data_.get() + static_cast<std::ptrdiff_t>(i) * stride_;
+    }
+
+  private:
+    int stride_ = 0;
+    hwy::AlignedFreeUniquePtr<T[]> data_;
+};
+
+/// The children of a cell whose maps are homotheties, or all its grandchildren: where their centres
+/// are in the cell's unit coordinates, and how large they are.
+struct HomothetyTable {
+    static constexpr int center = 0;    // 3
+    static constexpr int scale = 3;     // of the child to the cell
+    static constexpr int constant = 4;  // product of the maps' Lipschitz constants
+    static constexpr int diameter = 5;  // the same times the diameter of the child's volume
+    static constexpr int row_count = 6;
+
+    int count = 0;
+    int stride = 0;
+    int steps = 1;            // levels down: 1 or 2
+    float least_skipped = 0;  // diameter of the smallest cell between, two steps down
+    std::vector<std::array<std::uint16_t, 2>> lanes;  // of each step, in the sets' tables
+    std::vector<int> sets;
+    LaneTable<float> rows;
+    LaneTable<double> twice;  // the same
+};
+
+/// A follow set: its children in lanes, twice.
+struct WideSet {
+    int count = 0;
+    int stride = 0;
+    bool spheres = true;    // the children's volumes: all balls, or all boxes
+    bool polar = false;     // their diameters need the composed linear part (Sec. 16.2)
+    std::vector<int> maps;  // symbol of each child
+    std::vector<std::array<float, 4>> colors;  // r, g, b, a of each child's map
+    std::vector<int> sets;  // follow set of each child, counted through all shapes
+    LaneTable<double> twice;
+    LaneTable<float> single;
+    HomothetyTable children;       // empty unless the object is `fixed_direction`
+    HomothetyTable grandchildren;  // empty unless they fit one table_step
+};
+
+/// An object: from scene units to the unit coordinates of its outermost volume.
+struct WideObject {
+    Affine to_unit;
+    double radius = 0;       // of the outermost volume, if it is a ball, in scene units
+    glm::dvec3 center{0.0};  // its centre
+    glm::dmat3 linear{1.0};  // of the instance
+    int set = 0;
+    bool spheres = true;
+    double constant = 1;
+    double diameter = 0;  // of the outermost volume, in the shape's coordinates
+    double smallest_pixel = 0;
+    std::uint32_t levels = 0;
+    bool colored = false;  // a map has a colour
+    /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
+    /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
+    bool fixed_direction = false;
+    std::array<float, 3> color{};
+    float diffuse = 0;
+};
+
+struct WideScene {
+    std::vector<WideSet> sets;  // of all shapes
+    std::vector<WideObject> objects;
+    CompiledCamera camera;
+    double detail = 1;
+    std::uint32_t cell_cap = 0;
+    double unit = 1;
+    kernels::ShadingMode shading = kernels::ShadingMode::constant;
+    std::array<float, 3> ambient{};
+    std::array<float, 3> background{};
+    std::vector<CompiledLight> lights;
+};
+
+/// Why this scene cannot be rendered by the wide engine; empty if it can.
+[[nodiscard]] std::string why_not_wide(const CompiledScene& scene, Numeric numeric);
+
+/// How the first cells of one object are found in native renders in float.
+struct ObjectMethod {
+    std::string object;
+    std::string method;
+    std::string because;
+};
+[[nodiscard]] std::vector<ObjectMethod> object_methods(const CompiledScene& scene);
+
+/// Precondition: why_not_wide() is empty.
+[[nodiscard]] WideScene make_wide_scene(const CompiledScene& scene);
+
+}  // namespace pxm::host::wide

@@ -1,0 +1,86 @@
+// The wide engine shows an admissible picture (docs/design.md, decision 4): small images of every
+// example scene; wide_slow_test.cpp has larger ones. It is judged as a double engine is: what its
+// rays share is kept in double, so p has the floor of double.
+#include <gtest/gtest.h>
+
+#include <hwy/targets.h>
+
+#include "host/wide/wide_engine.hpp"
+#include "host/wide/wide_scene.hpp"
+#include "tests/support/compile_text.hpp"
+#include "tests/support/example_scenes.hpp"
+#include "tests/support/referee.hpp"
+#include "tests/support/render_text.hpp"
+
+namespace pxm::test {
+namespace {
+
+using namespace host;
+
+Frame render_wide(const CompiledScene& scene, int threads = 1) {
+    EngineChoice choice;
+    choice.threads = threads;
+    return wide::run_wide(scene, choice, {}).frame;
+}
+
+class Wide : public testing::TestWithParam<Example> {
+  protected:
+    const CompiledScene scene_ = compile_text(GetParam().text);
+};
+
+TEST_P(Wide, is_admissible) {
+    if (!wide::why_not_wide(scene_, Numeric::single).empty()) GTEST_SKIP();
+    const Verdict verdict = judge(scene_, render_wide(scene_), Numeric::twice);
+    EXPECT_GT(verdict.hits, 0);
+    EXPECT_GE(verdict.admissible_share(), 0.999) << verdict.report;
+    EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
+}
+
+TEST_P(Wide, is_the_same_on_every_kind_of_register_and_for_any_number_of_threads) {
+    if (!wide::why_not_wide(scene_, Numeric::single).empty()) GTEST_SKIP();
+    const Frame widest = render_wide(scene_, 3);
+    for (const int64_t target : {HWY_AVX3, HWY_AVX2, HWY_SSE4, HWY_EMU128}) {
+        if ((hwy::SupportedTargets() & target) == 0) continue;
+        hwy::SetSupportedTargetsForTest(target);
+        const Frame frame = render_wide(scene_);
+        hwy::SetSupportedTargetsForTest(0);
+        EXPECT_TRUE(same_picture(widest, frame)) << hwy::TargetName(target);
+    }
+}
+
+/// The eye comes as near as 10^-6 of its distance: single precision alone would see nothing there.
+TEST(WideZoom, is_right_to_the_last_pixel) {
+    const std::string camera = "camera { eye: 0.4,1.6,-3 look: 0,1,0 fov: 40 }";
+    for (const char* system : {"tetra", "menger", "elm"}) {
+        for (const double zoom : {1e2, 1e4, 1e6}) {
+            const CompiledScene scene =
+                compile_text(scene_of(system, "", "size: 16,16") + camera, zoom);
+            const Verdict verdict = judge(scene, render_wide(scene), Numeric::twice);
+            EXPECT_EQ(verdict.admissible, verdict.pixels) << system << zoom << verdict.report;
+            EXPECT_EQ(verdict.wrong_colors, 0) << system << zoom << verdict.report;
+        }
+    }
+}
+
+TEST(WideChoice, says_why_not) {
+    const auto reason = [](const std::string& text, Numeric numeric = Numeric::single) {
+        return wide::why_not_wide(compile_text(text), numeric);
+    };
+    EXPECT_EQ(reason(scene_of("tetra")), "");
+    EXPECT_EQ(reason(scene_of("elm")), "");
+    EXPECT_EQ(reason(scene_of("tetra"), Numeric::twice),
+              "the numbers are double, and the wide engine's are float");
+    EXPECT_EQ(reason(scene_of("tetra", "samples: 4")),
+              "several samples a pixel are the clear kernels'");
+    EXPECT_EQ(reason(scene_of("tetra", "covers: on")),
+              "local covers and translucent objects are the clear kernels'");
+    EXPECT_EQ(reason(scene_of("tetra", "volume: hull")),
+              "object \"tetra\" has bounding volumes that are neither balls nor boxes");
+}
+
+std::string name_of(const testing::TestParamInfo<Example>& example) { return example.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Examples, Wide, testing::ValuesIn(example_scenes("20,15")), name_of);
+
+}  // namespace
+}  // namespace pxm::test
