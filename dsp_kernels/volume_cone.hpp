@@ -38,6 +38,10 @@ template <NodeLike Node, class Real = typename Node::Real>
     if (!(q < zero) && !(zero < q)) {
         if (!level && !(a < zero)) return !(zero < c);  // along the mantle
     }
+    node.tally(Operation::compare_branch, 2);
+    node.tally(Operation::multiply_add, 1);
+    if (!level && !(a < zero) && d.y * b < zero)
+        return false;  // as steep, to the upper nappe alone
     node.tally(Operation::divide, 2);
     node.tally(Operation::select, 4);
     node.tally(Operation::compare_branch, 2);
