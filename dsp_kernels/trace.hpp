@@ -57,7 +57,8 @@ struct PixelResult {
     RayCounts rays;
 };
 
-/// A share below this adds nothing that a picture could show; it is left to what is in front.
+/// A share of an eye ray below this adds nothing that a picture could show; it is left to what is
+/// in front.
 template <class Real>
 inline constexpr Real least_share = from_double<Real>(0x1p-9);
 
@@ -76,9 +77,9 @@ class PendingRays {
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
     [[nodiscard]] PendingRay<Real> pop() noexcept { return rays_[--size_]; }
     template <NodeLike Node>
-    void push(Node& node, const PendingRay<Real>& ray) noexcept {
+    void push(Node& node, const PendingRay<Real>& ray, Real least_share_of_ray) noexcept {
         node.tally(Operation::compare_branch, 1);
-        if (ray.share < least_share<Real>) return;
+        if (ray.share < least_share_of_ray) return;
         if (size_ < capacity) {
             rays_[size_++] = ray;
             return;
@@ -118,6 +119,7 @@ struct CollectCovers {
     Node& node;
     CoverList<Real>& list;
     Real& left;  // of the ray's share
+    Real least;  // below it nothing is left
     bool operator()(const Cell<Real>& cell, const Shown<Real>& shown) const noexcept {
         node.tally(Operation::multiply_add, 2);
         node.tally(Operation::compare_branch, 1);
@@ -126,7 +128,7 @@ struct CollectCovers {
         move_cell(node, entry.cell, cell);
         entry.shown = shown;
         left = left - left * shown.opacity;
-        return !(left < least_share<Real>)&&list.size < CoverList<Real>::capacity;
+        return !(left < least) && list.size < CoverList<Real>::capacity;
     }
 };
 
@@ -162,6 +164,8 @@ class Tracer {
     /// Adds `share` of what is seen along the ray to the result.
     void trace(const Search<Real>& eye, Real share, Sample sample) noexcept {
         sample_ = sample;
+        node_.tally(Operation::multiply_add, 1);
+        least_ = share * least_share<Real>;
         PendingRay<Real> ray{eye, share, frame_.bounces};
         look_along(ray, RayKind::eye);
         if constexpr (features.mirrors) {
@@ -224,8 +228,8 @@ class Tracer {
         Real left = ray.share;
         covers_.size = 0;
         covers_along(node_, ray.search, after, heap_, result_.counts,
-                     CollectCovers<Node>{node_, covers_, left});
-        opaque_ = left < least_share<Real>;
+                     CollectCovers<Node>{node_, covers_, left, least_});
+        opaque_ = left < least_;
         return !opaque_ && covers_.size == CoverList<Real>::capacity;
     }
 
@@ -288,8 +292,10 @@ class Tracer {
                 const Real mirror_share = share * lit.surface.reflect;
                 share = share - mirror_share;
                 pending_.push(
-                    node_, {mirrored(node_, ray.search, lit.point, lit.pixel, lit.surface.normal),
-                            mirror_share, ray.bounces_left - 1});
+                    node_,
+                    {mirrored(node_, ray.search, lit.point, lit.pixel, lit.surface.normal),
+                     mirror_share, ray.bounces_left - 1},
+                    least_);
             }
         }
         const Vec3<Real> color = illuminate(node_, lit, frame_.shading, [&](std::uint32_t light) {
@@ -340,6 +346,7 @@ class Tracer {
     [[no_unique_address]] OnlyIf<features.covers, CoverList<Real>> covers_;
     bool opaque_ = false;  // nothing shows behind the covers in the list
     Sample sample_ = Sample::first;
+    Real least_{};  // a share below it is not traced
     RayKind kind_ = RayKind::eye;
     Real most_{};  // the largest share of a cell on the eye ray
 };

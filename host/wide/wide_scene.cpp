@@ -111,6 +111,10 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (needs_shadows(scene)) return "shadows are the clear kernels'";
     if (needs_mirrors(scene)) return "mirrors are the clear kernels'";
     if (!scene.planes.empty()) return "planes are the clear kernels'";
+    const bool points = std::ranges::any_of(scene.lights, [](const CompiledLight& light) {
+        return light.kind == kernels::LightKind::point;
+    });
+    if (points) return "point lights are the clear kernels'";
     if (scene.samples.size() > 1) return "several samples a pixel are the clear kernels'";
     for (const CompiledObject& object : scene.objects) {
         const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];

@@ -20,7 +20,7 @@ constexpr long side = 48;
 RenderResult rendered(const std::string& text) {
     RenderRequest request;
     request.overrides.size = host::PixelSize{side, side};
-    request.overrides.intersect = host::IntersectMethod::heap;
+    request.overrides.intersect = IntersectMethod::heap;
     request.threads = 2;
     return render_text(text, request);
 }

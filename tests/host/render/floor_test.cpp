@@ -11,6 +11,7 @@
 #include "host/scene/parser.hpp"
 #include "tests/support/floor_node.hpp"
 #include "tests/support/folder.hpp"
+#include "tests/support/oracle.hpp"
 #include "tests/support/render_text.hpp"
 
 namespace pxm::host {
@@ -39,6 +40,10 @@ std::string textured(const Folder& folder) {
                "plane floor {{ point: 0,-0.2,0 normal: 0,1,0 texture: w, g }}\n"
                "plane wall {{ point: 0,0,2 normal: 0,0.1,-1 texture: p }}\n",
                folder.path("stripes.png"));
+}
+
+bool close(const PixelRecord& a, const PixelRecord& b) {
+    return std::abs(a.color[0] - b.color[0]) < 0.01 && std::abs(a.color[1] - b.color[1]) < 0.01;
 }
 
 /// The Error of rendering a scene file, as "exit code: text".
@@ -94,6 +99,93 @@ TEST(Floor, its_pixels_say_where_and_what_it_is) {
     EXPECT_FLOAT_EQ(pixel.color[1], lit);
     EXPECT_EQ(frame.at(2, 1).object, 1);
     EXPECT_EQ(frame.at(2, 1).normal[2], -1);  // the wall's far side is seen
+}
+
+TEST(Floor, is_in_shadow_where_an_object_hides_the_light) {
+    const std::string light =
+        "light { direction: 0.6,1,-0.3 shadow: on } render { ambient: 0,0,0 }";
+    const CompiledScene scene = compile_text(solid + view + floor_block + light);
+    const Frame frame = render_natively(scene, Numeric::twice).frame;
+    test::Oracle oracle(scene, 0x1p-48);
+    int shadows = 0;
+    int wrong = 0;
+    for (long y = 0; y < 36; ++y) {
+        for (long x = 0; x < 48; ++x) {
+            if (frame.at(x, y).object != 1) continue;
+            const test::Sight eye = oracle.sight(x, y);
+            const double t = frame.at(x, y).z / scene.unit;
+            // A finer view than the shadow ray's: it differs at the shadow's edge alone.
+            const test::Sight to_light{eye.origin + t * eye.direction,
+                                       glm::normalize(glm::dvec3{0.6, 1, -0.3})};
+            const bool hidden = !oracle.look(to_light).empty();
+            shadows += hidden ? 1 : 0;
+            wrong += hidden != (frame.at(x, y).color[0] == 0) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(shadows, 40);
+    EXPECT_LT(wrong, shadows / 3);
+}
+
+TEST(Floor, hides_the_light_that_comes_from_below) {
+    const std::string below =
+        "light { direction: 0,-1,-0.5 shadow: on } light { position: 0,-3,0 shadow: on }";
+    const std::string dark = "render { ambient: 0,0,0 }";
+    const Frame frame = render_natively(compile_text(solid + view + below + dark +
+                                                     "plane { point: 0,-2,0 normal: 0,1,0 }"),
+                                        Numeric::single)
+                            .frame;
+    const Frame open =
+        render_natively(compile_text(solid + view + below + dark), Numeric::single).frame;
+    double with = 0;
+    double without = 0;
+    for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+        if (open.pixels[i].object != 0) continue;
+        with += frame.pixels[i].color[0];
+        without += open.pixels[i].color[0];
+    }
+    EXPECT_EQ(with, 0);
+    EXPECT_GT(without, 10);
+}
+
+// A mirror shows what stands behind it in a scene where everything is mirrored.
+TEST(Floor, that_mirrors_all_shows_the_scene_upside_down) {
+    const std::string dim = "render { background: 0,0,0 }";
+    const CompiledScene mirror =
+        compile_text(solid + view + dim + "light { direction: 0.6,1,-0.3 }" +
+                     "plane { point: 0,-0.5,0 normal: 0,1,0 reflect: 1 }");
+    const CompiledScene behind = compile_text(
+        std::string(test::tetra_text) + view + dim + "light { direction: 0.6,-1,-0.3 }" +
+        "object o { ifs: tetra scale: 1,-1,1 translate: 0,-1,0 }");
+    const Frame seen = render_natively(mirror, Numeric::twice).frame;
+    const Frame expected = render_natively(behind, Numeric::twice).frame;
+    int same = 0;
+    int hits = 0;
+    int pixels = 0;
+    for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
+        if (seen.pixels[i].object != 1) continue;
+        ++pixels;
+        hits += expected.pixels[i].object == 0 ? 1 : 0;
+        same += close(seen.pixels[i], expected.pixels[i]) ? 1 : 0;
+    }
+    EXPECT_GT(hits, 60);
+    EXPECT_GT(same, pixels - hits / 4);
+}
+
+TEST(Floor, shows_through_covers_and_translucent_objects) {
+    const std::string haze = std::string(test::tetra_text) +
+                             "object o { ifs: tetra opacity: 0.25 levels: 0 color: 1,0,0,1 }";
+    const std::string lit = "render { ambient: 1,1,1 } light { direction: 0,-1,0 color: 0,0,0 }";
+    const Frame frame =
+        render_natively(compile_text(haze + view + floor_block + lit), Numeric::single).frame;
+    int through = 0;
+    for (const PixelRecord& pixel : frame.pixels) {
+        if (pixel.object != 1 || pixel.color[1] > 0.7F) continue;
+        ++through;
+        EXPECT_NEAR(pixel.color[0], 0.25 * 1 + 0.75 * 0.9, 1e-4);
+        EXPECT_NEAR(pixel.color[1], 0.25 * 0 + 0.75 * 0.9, 1e-4);
+        EXPECT_NEAR(pixel.alpha, 1, 1e-6);
+    }
+    EXPECT_GT(through, 50);
 }
 
 TEST(Floor, the_engines_make_the_same_picture_of_every_texture) {

@@ -86,6 +86,24 @@ TEST(Mirror, facing_another_ends_after_the_bounces_that_were_asked_for) {
     }
 }
 
+/// A faint mirror is a small share of each of many samples.
+TEST(Mirror, shows_as_much_in_many_samples_as_in_one) {
+    const std::string faint =
+        "object mirror { ifs: cube box: (-1,-1,-1)(1,1,1) translate: 0,-1,0 scale: 20,0.5,20 "
+        "reflect: 0.1 color: 0,0,0,1 } ";
+    const auto mean = [&](const std::string& samples) {
+        const Frame frame = picture(faint + above + rest, camera, "render { " + samples + " }");
+        double sum = 0;
+        for (long y = side * 2 / 3; y < side; ++y) {  // nothing but the mirror
+            for (long x = 0; x < side; ++x) sum += frame.at(x, y).color[0];
+        }
+        return sum;
+    };
+    const double one = mean("samples: 1");
+    EXPECT_GT(one, 1);
+    EXPECT_NEAR(mean("samples: 64") / one, 1, 0.1);
+}
+
 /// Eq. 15.6 as printed, with the mirrored viewpoint of Eq. 15.5 without its absolute value.
 TEST(Mirror, pixels_grow_as_seen_from_the_mirrored_viewpoint) {
     std::mt19937 random(1);

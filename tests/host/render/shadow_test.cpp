@@ -120,7 +120,7 @@ TEST(Shadow, with_local_covers_is_the_same_away_from_its_edge) {
 TEST(Shadow, of_what_is_behind_a_lamp_does_not_fall) {
     RenderRequest request;
     request.overrides.size = host::PixelSize{side, side};
-    request.overrides.intersect = host::IntersectMethod::heap;
+    request.overrides.intersect = IntersectMethod::heap;
     const std::string low = "light l { position: 0.2,0.3,-0.1 shadow: on }";  // under the box
     const std::string off = "light l { position: 0.2,0.3,-0.1 }";
     const Frame with = render_text(cubes() + low, request).frame;
