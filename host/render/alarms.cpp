@@ -29,9 +29,9 @@ struct Precision {
 Precision precision_of(Numeric numeric) {
     switch (numeric) {
         case Numeric::dsp32:
-            return {"dsp32", 0x1p-23, smallest_pixel_share<dsp32::Float>(), 0x1p12, 1e18};
+            return {"dsp32", 0x1p-23, smallest_pixel_share<dsp32::Float>(), 0x1p9, 1e18};
         case Numeric::single:
-            return {"float", 0x1p-24, smallest_pixel_share<float>(), 0x1p12, 1e18};
+            return {"float", 0x1p-24, smallest_pixel_share<float>(), 0x1p9, 1e18};
         case Numeric::twice:
             break;
     }
@@ -130,8 +130,9 @@ std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Fra
     mark_pixels(scene, precision, frame);
     const auto steep = [&](const CompiledMap& map) {
         const auto values = singular_values(map.map.linear).values;
-        return !(values[0] <= precision.steepest * values[2]);
+        return map.lost.empty() && !(values[0] <= precision.steepest * values[2]);
     };
+    const auto flat = [](const CompiledMap& map) { return !map.lost.empty(); };
     const auto outside = [&](const CompiledMap& map) {
         return is_out_of_range(map, precision.largest);
     };
@@ -147,7 +148,9 @@ std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Fra
             {"not_finite", count_pixels(frame, alarm_not_finite),
              "pixels have a depth, colour or normal that is no number"},
             {"steep_maps", count_maps(scene, steep),
-             fmt::format("maps squash so much that {} keeps less than half of its digits", name)},
+             fmt::format("maps squash so much that {} misplaces some of their cells", name)},
+            {"flat_maps", count_maps(scene, flat),
+             "singular maps are shown a pixel thick, and where several meet, not exactly"},
             {"range", count_maps(scene, outside),
              fmt::format("maps have inverses that leave the range of {}", name)}};
 }

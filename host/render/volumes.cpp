@@ -18,7 +18,7 @@ namespace {
 
 constexpr double dear = 300;             // tests a ray: a reason to try more than spheres and boxes
 constexpr double clearly_cheaper = 0.5;  // oriented boxes and hulls: else spheres and boxes stay
-constexpr double hopeless = 1000;        // tests a ray, where ...
+constexpr double hopeless = 5000;        // tests a ray, where ...
 constexpr double much_dearer = 2;        // ... computed volumes need so many times fewer
 
 using Volumes = std::vector<CompiledVolume>;
