@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "dsp_kernels/scene_block.hpp"
 #include "host/fractal/lipschitz.hpp"
@@ -69,14 +70,23 @@ std::uint8_t look(const CompiledScene& scene, const Precision& precision, double
     return alarms;
 }
 
-/// What is true of every pixel that misses: it might have met any object. Of objects around the eye
-/// it is not known how near a ray passes them.
+/// How near anything is that the frame shows, in scene units; infinite if it shows nothing.
+double nearest_hit(const CompiledScene& scene, const Frame& frame) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const PixelRecord& pixel : frame.pixels)
+        if (pixel.level >= 0) nearest = std::min(nearest, double{pixel.z} / scene.unit);
+    return nearest;
+}
+
+/// What is true of every pixel that misses: it might have met an object as near as any pixel does,
+/// or as near as the object's volume begins if none does.
 std::uint8_t alarms_of_misses(const CompiledScene& scene, const Precision& precision,
-                              const std::vector<Place>& places) {
+                              const std::vector<Place>& places, const Frame& frame) {
+    const double hit = nearest_hit(scene, frame);
     std::uint8_t alarms = 0;
     for (const Place& place : places) {
-        const double nearest = place.distance - place.diameter / 2;
-        if (nearest > 0) alarms |= look(scene, precision, nearest, place);
+        const double begin = std::max(0.0, place.distance - place.diameter / 2);
+        alarms |= look(scene, precision, std::isfinite(hit) ? std::max(begin, hit) : begin, place);
     }
     return alarms;
 }
@@ -90,7 +100,7 @@ bool is_finite(const PixelRecord& pixel) {
 
 void mark_pixels(const CompiledScene& scene, const Precision& precision, Frame& frame) {
     const std::vector<Place> places = places_of(scene);
-    const std::uint8_t missed = alarms_of_misses(scene, precision, places);
+    const std::uint8_t missed = alarms_of_misses(scene, precision, places, frame);
     for (PixelRecord& pixel : frame.pixels) {
         const auto object = static_cast<std::size_t>(pixel.object);
         pixel.alarms |= pixel.level < 0 || object >= places.size()

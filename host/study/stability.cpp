@@ -27,13 +27,14 @@ struct NumberChoice {
 const NumberChoice choices[] = {
     {"dsp32", Numeric::dsp32}, {"float", Numeric::single}, {"double", Numeric::twice}};
 
-RenderResult render_as(const std::string& path, const NumberChoice& choice,
+RenderResult render_as(const std::string& path, VolumeKind volume, const NumberChoice& choice,
                        const UnitControl& control, int threads) {
     RenderRequest request;
     request.scene_path = path;
     request.threads = threads;
     request.overrides.numeric = choice.numeric;
     request.overrides.intersect = choice.intersect;
+    request.overrides.volume = volume;
     return render_unit(request, control);
 }
 
@@ -102,11 +103,11 @@ Json measure_case(const StabilityCase& one, const std::string& name, int threads
                        {"scene", name + ".pxm"},
                        {"numeric", choice->name}};
         try {
-            const RenderResult picture = render_as(path, *choice, control, threads);
+            const RenderResult picture = render_as(path, one.volume, *choice, control, threads);
             if (!reference) {
                 reference = picture;
-                result.update(
-                    compared(picture, render_as(twin_path, exact, control, threads), twin_unit));
+                result.update(compared(
+                    picture, render_as(twin_path, one.volume, exact, control, threads), twin_unit));
             } else {
                 result.update(compared(picture, *reference, 1));
             }
@@ -132,6 +133,7 @@ StudyPlan plan_stability(const StudyRequest& request) {
                               {{"study", "stability"},
                                {"pxm", PXM_VERSION},
                                {"case", one.name},
+                               {"volume", static_cast<int>(one.volume)},
                                {"scene", one.text(1)}},
                               [=, threads = request.threads](const UnitControl& control) {
                                   return measure_case(one, name, threads, control);

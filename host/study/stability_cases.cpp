@@ -141,11 +141,12 @@ class Table {
     template <class Make>
     void add(const char* family, std::initializer_list<double> values, Make make) {
         for (const double value : values) {
-            cases.push_back({fmt::format("{} {:g}", family, value), family, value,
+            cases.push_back({fmt::format("{} {:g}", family, value), family, value, volume,
                              [=](double unit) { return make(value, unit); }});
         }
     }
     std::vector<StabilityCase> cases;
+    VolumeKind volume = VolumeKind::sphere;  // of the cases that are added next
 };
 
 }  // namespace
@@ -172,11 +173,12 @@ std::vector<StabilityCase> stability_cases() {
     t.add("eye on the attractor", {1}, [](double, double u) {
         return simple(corners("scale: 0.5", u), u, {0, 1, 0, 0.3, 0, 0.2, "fov: 80"});
     });
+    t.volume = VolumeKind::box;
     t.add("rays along faces", {1}, [](double, double u) {
         return simple(corners("scale: 0.5", u), u,
-                      {0, 0, -5, 0, 0, 0, fmt::format("orthographic: {}", 2.5 * u)},
-                      "render { volume: box }\n");
+                      {0, 0, -5, 0, 0, 0, fmt::format("orthographic: {}", 2.5 * u)});
     });
+    t.volume = VolumeKind::sphere;
     t.add("norm above 1", {1.5, 1.9}, expanding);
     t.add("maps", {1, 100, 10'000},
           [](double n, double u) { return many(static_cast<int>(n), u); });

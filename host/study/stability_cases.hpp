@@ -5,12 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "host/scene/scene.hpp"
+
 namespace pxm::host {
 
 struct StabilityCase {
     std::string name;
     std::string family;
     double value = 0;  // the family's parameter
+    /// Volumes are part of the picture: those that the scene would be given may change with its
+    /// scale.
+    VolumeKind volume = VolumeKind::sphere;
     /// The scene with all lengths of the world multiplied by `unit`: the same picture in exact
     /// numbers, other roundings.
     std::function<std::string(double unit)> text;
