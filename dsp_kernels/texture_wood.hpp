@@ -13,8 +13,8 @@ namespace pxm::kernels {
 namespace wood {
 inline constexpr double rings = 9;            // rings a width
 inline constexpr double ring_mean = 1.0 / 3;  // of the darkness of a ring
-inline constexpr double ring_share = 0.5;    // of a board's darkness
-inline constexpr double tint_share = 0.28;     // whole boards are darker or lighter
+inline constexpr double ring_share = 0.5;     // of a board's darkness
+inline constexpr double tint_share = 0.28;    // whole boards are darker or lighter
 inline constexpr double fibre_share = 0.22;
 inline constexpr double mean = ring_share * ring_mean + (tint_share + fibre_share) / 2;
 inline constexpr double fibre_length = 1.0 / 1.5;

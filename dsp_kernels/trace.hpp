@@ -5,9 +5,10 @@
 
 #include <type_traits>
 
-#include "dsp_kernels/covers.hpp"
+#include "dsp_kernels/cover_list.hpp"
 #include "dsp_kernels/first_cell.hpp"
 #include "dsp_kernels/lights.hpp"
+#include "dsp_kernels/pending_rays.hpp"
 #include "dsp_kernels/plane.hpp"
 #include "dsp_kernels/reflection.hpp"
 #include "dsp_kernels/shadow.hpp"
@@ -55,95 +56,6 @@ struct PixelResult {
     Vec3<Real> normal{};  // the total normal at `found`, or the normal of `floor`
     SearchCounts counts;
     RayCounts rays;
-};
-
-/// A share of an eye ray below this adds nothing that a picture could show; it is left to what is
-/// in front.
-template <class Real>
-inline constexpr Real least_share = from_double<Real>(0x1p-9);
-
-/// A ray still to be traced, and the share of it in the pixel.
-template <class Real>
-struct PendingRay {
-    Search<Real> search;
-    Real share;
-    std::uint32_t bounces_left;
-};
-
-/// The rays still to be traced. When there are too many, those that matter least are given up.
-template <class Real>
-class PendingRays {
-  public:
-    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-    [[nodiscard]] PendingRay<Real> pop() noexcept { return rays_[--size_]; }
-    template <NodeLike Node>
-    void push(Node& node, const PendingRay<Real>& ray, Real least_share_of_ray) noexcept {
-        node.tally(Operation::compare_branch, 1);
-        if (ray.share < least_share_of_ray) return;
-        if (size_ < capacity) {
-            rays_[size_++] = ray;
-            return;
-        }
-        std::uint32_t least = 0;
-        for (std::uint32_t i = 1; i < capacity; ++i) {
-            node.tally(Operation::loop_turn, 1);
-            node.tally(Operation::compare_branch, 1);
-            if (rays_[i].share < rays_[least].share) least = i;
-        }
-        if (rays_[least].share < ray.share) rays_[least] = ray;
-    }
-
-  private:
-    static constexpr std::uint32_t capacity = 8;
-    PendingRay<Real> rays_[capacity];
-    std::uint32_t size_ = 0;
-};
-
-/// Covers found along a ray and not yet shaded: shadow rays need the heap, so that a search for
-/// covers stops when the list is full, and goes on behind the last one later.
-template <class Real>
-struct CoverList {
-    static constexpr std::uint32_t capacity = 8;
-    struct Entry {
-        Cell<Real> cell;
-        Shown<Real> shown;
-    };
-    Entry entries[capacity];
-    std::uint32_t size = 0;
-};
-
-/// Fills the list with what shows, until nothing shows behind.
-template <NodeLike Node>
-struct CollectCovers {
-    using Real = typename Node::Real;
-    Node& node;
-    CoverList<Real>& list;
-    Real& left;  // of the ray's share
-    Real least;  // below it nothing is left
-    bool operator()(const Cell<Real>& cell, const Shown<Real>& shown) const noexcept {
-        node.tally(Operation::multiply_add, 2);
-        node.tally(Operation::compare_branch, 1);
-        node.tally(Operation::integer, 3);
-        auto& entry = list.entries[list.size++];
-        move_cell(node, entry.cell, cell);
-        entry.shown = shown;
-        left = left - left * shown.opacity;
-        return !(left < least) && list.size < CoverList<Real>::capacity;
-    }
-};
-
-/// Takes from a light what shows along a shadow ray (Eqs. 18.7, 18.8).
-template <NodeLike Node>
-struct DimLight {
-    using Real = typename Node::Real;
-    Node& node;
-    Real& left;
-    bool operator()(const Cell<Real>&, const Shown<Real>& shown) const noexcept {
-        node.tally(Operation::multiply_add, 1);
-        node.tally(Operation::compare_branch, 1);
-        left = left - left * shown.opacity;
-        return !(left < least_share<Real>);
-    }
 };
 
 /// A member that only some tracers have.

@@ -34,26 +34,26 @@ template <NodeLike Node, class Real = typename Node::Real>
     node.tally(Operation::square_root, 1);
     const Real root = square_root(discriminant);
     const Real q = b < zero ? root - b : -(b + root);  // of the sums the one that does not cancel
-    node.tally(Operation::compare_branch, 2);
-    if (!(q < zero) && !(zero < q)) {
-        if (!level && !(a < zero)) return !(zero < c);  // along the mantle
-    }
+    node.tally(Operation::compare_branch, 5);
+    const bool along = !level && !(a < zero);  // parallel to the mantle: a single root
+    const bool no_quotient = !(q < zero) && !(zero < q);
+    if (along && no_quotient) return !(zero < c);
     node.tally(Operation::divide, 2);
     node.tally(Operation::select, 4);
-    node.tally(Operation::compare_branch, 2);
-    const bool double_root = !(q < zero) && !(zero < q);
-    Real near = double_root ? zero : c / q;
-    Real far = near;
-    if (a < zero || level) far = q / a;
+    Real near = no_quotient ? zero : c / q;
+    Real far = along ? near : q / a;
     if (far < near) {
         const Real swapped = far;
         far = near;
         near = swapped;
     }
+    // A steep line is below the apex where it goes down to; one along the mantle has one inside
+    // end.
+    const bool ends_inside = along ? b < zero : d.y < zero;
     if (level) {
         if (interval.entry < near) interval.entry = near;
         if (far < interval.exit) interval.exit = far;
-    } else if (d.y < zero) {  // the lower nappe is where a steep line goes down to
+    } else if (ends_inside) {
         if (interval.entry < far) interval.entry = far;
     } else {
         if (near < interval.exit) interval.exit = near;

@@ -97,6 +97,7 @@ class Excess {
                 continue;
             }
             const double on_arc = over_at(middle, 1, slope);
+            most = std::max(most, on_arc);
             open.push_back({arc.from, middle, arc.over_from, on_arc});
             open.push_back({middle, arc.to, on_arc, arc.over_to});
         }

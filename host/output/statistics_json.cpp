@@ -99,6 +99,8 @@ std::string statistics_json(const Statistics& s) {
     json["heap_overflows"] = s.rays.heap_overflows;
     json["heap_restarts"] = s.rays.restarts;
     json["capped_rays"] = s.rays.capped_rays;
+    json["alarms"] = Json::object();
+    for (const Alarm& alarm : s.alarms) json["alarms"][alarm.name] = alarm.count;
     json["scene_block"] = {{"words", s.scene_block_words},
                            {"hash", fmt::format("{:016x}", s.scene_block_hash)}};
     if (!s.machine) return json.dump(2) + "\n";

@@ -21,6 +21,7 @@ struct PixelRecord {
     std::uint32_t node = 0;     // row * columns + column of the node that owns the pixel
     std::uint32_t volumes = 0;  // volumes tested
     std::uint32_t heap = 0;     // most cells in the heap
+    std::uint8_t alarms = 0;    // bits of host/render/alarms.hpp
     std::uint64_t cycles = 0;   // instruction cycles of 200 ns; machine only
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsp_kernels/pixel_program.hpp"
+#include "host/render/alarms.hpp"
 #include "host/render/compiled_scene.hpp"
 #include "host/render/frame.hpp"
 #include "host/render/scene_block.hpp"
@@ -55,6 +56,7 @@ void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& 
         pixel.level = result.found.cell.level;
         pixel.word = word_hash(result.found.cell);
     }
+    if (result.counts.capped > 0) pixel.alarms |= alarm_capped;
     ++rays.pixels;
     rays.eye_rays += scene.samples.size();
     rays.light_rays += result.rays.light;

@@ -144,6 +144,8 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     result.pixel_at_eye = prepared.compiled.camera.pixel_at_eye * prepared.compiled.unit * coarser;
     result.pixel_growth = prepared.compiled.camera.pixel_growth * coarser;
     result.frame = std::move(run.frame);
+    result.statistics.alarms = raise_alarms(prepared.compiled, choice.numeric, result.frame);
+    result.warnings += alarm_text(result.statistics.alarms);
     Statistics& statistics = result.statistics;
     statistics.scene = request.scene_path;
     statistics.engine = request.machine ? "machine" : "native";

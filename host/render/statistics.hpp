@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/output/cost_model_json.hpp"
+#include "host/render/alarms.hpp"
 #include "host/render/link.hpp"
 #include "host/scene/scene.hpp"
 
@@ -77,6 +78,7 @@ struct Statistics {
     std::string intersect;          // "heap" or "wide"
     std::string intersect_because;  // why this one
     RayStatistics rays;
+    std::vector<Alarm> alarms;
     std::uint64_t scene_block_words = 0;
     std::uint64_t scene_block_hash = 0;
     NodeProgram program;

@@ -16,10 +16,10 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double dear = 100;             // tests a ray: a reason to try more than spheres and boxes
+constexpr double dear = 300;             // tests a ray: a reason to try more than spheres and boxes
 constexpr double clearly_cheaper = 0.5;  // oriented boxes and hulls: else spheres and boxes stay
 constexpr double hopeless = 1000;        // tests a ray, where ...
-constexpr double much_dearer = 4;        // ... computed volumes need so many times fewer
+constexpr double much_dearer = 2;        // ... computed volumes need so many times fewer
 
 using Volumes = std::vector<CompiledVolume>;
 

@@ -71,14 +71,18 @@ Json tiles_json(const Work& work, const NodeArray& array) {
     return json;
 }
 
+std::uint64_t rays_of(const RayStatistics& rays) {
+    return rays.eye_rays + rays.light_rays + rays.reflect_rays;
+}
+
 Json nodes_json(const MachineStatistics& machine) {
     Json json = Json::array();
     for (const NodeStatistics& node : machine.nodes) {
         json.push_back({{"id", node.id},
                         {"column", node.column},
                         {"row", node.row},
-                        {"pixels", node.rays.eye_rays},
-                        {"rays", node.rays.eye_rays},
+                        {"pixels", node.rays.pixels},
+                        {"rays", rays_of(node.rays)},
                         {"volumes_tested", node.rays.volumes_tested},
                         {"heap_peak", node.rays.heap_peak},
                         {"cycles", node.cycles}});
@@ -129,7 +133,8 @@ Json measure_scene(const RenderRequest& request, const std::string& name,
                  {"model", request.machine->name},
                  {"numeric", s.numeric},
                  {"size", {frame.columns(), frame.rows()}},
-                 {"rays", s.rays.eye_rays},
+                 {"pixels", s.rays.pixels},
+                 {"rays", rays_of(s.rays)},
                  {"hits", s.rays.hits},
                  {"volumes_tested", s.rays.volumes_tested},
                  {"cycles", own.useful},

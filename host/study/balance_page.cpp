@@ -28,7 +28,7 @@ PageTable scene_table(const Json& data) {
     for (const Partition p : all_partitions) table.columns.emplace_back(name_of(p));
     for (const Json& scene : data["scenes"]) {
         std::vector<std::string> row{stem_of(text(scene, "scene")),
-                                     per_cent(real(scene, "hits") / real(scene, "rays")),
+                                     per_cent(real(scene, "hits") / real(scene, "pixels")),
                                      number_text(real(scene, "cycles_per_pixel")),
                                      fmt::format("{:.2f}", real(scene, "predicted_seconds")),
                                      fmt::format("{:.1f}", real(scene, "speed_up"))};

@@ -1,5 +1,198 @@
-#include "host/study/study.hpp"
+// The error study: what every setting costs in time and in error, against a reference (a
+// work-precision diagram). Counted time is the machine's; host time is the median of repeats.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "host/study/deviation.hpp"
+#include "host/study/error_page.hpp"
+#include "host/study/error_settings.hpp"
+#include "host/study/study_scene.hpp"
+
 namespace pxm::host {
-StudyPlan plan_stability(const StudyRequest&) { return {}; }
-StudyPlan plan_error(const StudyRequest&) { return {}; }
+
+namespace {
+
+const PixelSize default_size{160, 128};
+
+/// A scene's references, rendered when the first of its settings is measured.
+struct References {
+    std::optional<RenderResult> color;
+    std::optional<RenderResult> depth;
+};
+
+RenderRequest request_for(const std::string& scene, const SceneOverrides& overrides,
+                          const StudyRequest& study) {
+    RenderRequest request;
+    request.scene_path = scene;
+    request.overrides = overrides;
+    request.overrides.size = study.size.value_or(default_size);
+    request.threads = study.threads;
+    return request;
+}
+
+/// Predicted seconds on the machine; nothing if the scene or the heap does not fit.
+Json machine_seconds(RenderRequest request, const StudyRequest& study, const UnitControl& control,
+                     std::optional<RenderResult>& picture) {
+    request.machine = study.machine ? study.machine : find_model("964dX");
+    try {
+        picture = render_unit(request, control);
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::machine_limit) throw;
+        return nullptr;
+    }
+    std::uint64_t slowest = 0;
+    for (const NodeStatistics& node : picture->statistics.machine->nodes)
+        slowest = std::max(slowest, node.cycles);
+    return static_cast<double>(slowest) * instruction_seconds;
+}
+
+Json measure_setting(const std::string& scene, const ErrorSetting& setting,
+                     const StudyRequest& study, References& references,
+                     const UnitControl& control) {
+    if (!references.color) {
+        references.depth = render_unit(request_for(scene, depth_reference(), study), control);
+        references.color = render_unit(request_for(scene, color_reference(), study), control);
+    }
+    const RenderRequest request = request_for(scene, setting.overrides, study);
+    std::optional<RenderResult> picture;
+    Json result = {{"settings", {{"name", setting.name}}}};
+    result["machine_seconds"] = machine_seconds(request, study, control, picture);
+    std::vector<double> seconds;
+    for (int i = 0; i < study.repeats; ++i) {
+        const RenderResult again = render_unit(request, control);
+        seconds.push_back(again.statistics.seconds.render);
+        if (!picture) picture = again;
+    }
+    std::ranges::sort(seconds);
+    const Deviation color = deviation_of(*picture, *references.color);
+    const Deviation depth = deviation_of(*picture, *references.depth);
+    result["host_seconds"] = seconds[seconds.size() / 2];
+    result["host_spread"] = {seconds.front(), seconds.back()};
+    result["rmse"] = color.rmse;
+    result["color_99"] = color.color_99;
+    result["perceived"] = color.perceived;
+    result["wrong_hits"] = depth.wrong_hits;
+    result["depth_error_pixels"] = depth.mean_depth;
+    result["worst_depth_pixels"] = depth.worst_depth;
+    return result;
+}
+
+/// Marks the points that no other beats in both time and error, and names what beats the others.
+void mark_pareto(Json& points, const char* time, const char* mark, const char* by) {
+    for (Json& point : points) {
+        point[mark] = !point[time].is_null();
+        point[by] = nullptr;
+        for (const Json& other : points) {
+            if (point[time].is_null() || other[time].is_null()) continue;
+            const double t = other[time].get<double>() - point[time].get<double>();
+            const double e = other["rmse"].get<double>() - point["rmse"].get<double>();
+            if (t > 0 || e > 0 || (t == 0 && e == 0)) continue;
+            point[mark] = false;
+            if (point[by].is_null()) point[by] = other["settings"]["name"];
+        }
+    }
+}
+
+/// The point of least `least` among those whose `bounded` is at most `bound`; null if none is.
+const Json* best(const Json& points, const char* least, const char* bounded, double bound) {
+    const Json* found = nullptr;
+    for (const Json& point : points) {
+        if (point[least].is_null() || point[bounded].is_null()) continue;
+        if (point[bounded].get<double>() > bound) continue;
+        if (!found || point[least].get<double>() < (*found)[least].get<double>()) found = &point;
+    }
+    return found;
+}
+
+std::string spoken(const Json& point) {
+    return fmt::format(
+        "`{}` ({:.3g} s on the machine, RMSE {:.4f})", point["settings"]["name"].get<std::string>(),
+        point["machine_seconds"].is_null() ? NAN : point["machine_seconds"].get<double>(),
+        point["rmse"].get<double>());
+}
+
+std::string advice_for(const Json& points) {
+    const Json& base = points[0];
+    const Json* most_exact = best(points, "rmse", "machine_seconds", INFINITY);
+    if (!most_exact) return "for this scene: it does not fit the machine";
+    const Json* as_good = best(points, "machine_seconds", "rmse", base["rmse"].get<double>());
+    const double halfway =
+        std::sqrt(base["rmse"].get<double>() * (*most_exact)["rmse"].get<double>());
+    const Json* middle = best(points, "machine_seconds", "rmse", halfway);
+    return fmt::format(
+        "for this scene: as good as the default, fastest: {}; most of the way to the best: {}; the "
+        "best: {}",
+        spoken(as_good ? *as_good : base), spoken(middle ? *middle : *most_exact),
+        spoken(*most_exact));
+}
+
+Json scene_json(const std::string& scene, Json points, const StudyRequest& study) {
+    mark_pareto(points, "machine_seconds", "pareto", "dominated_by");
+    mark_pareto(points, "host_seconds", "pareto_host", "dominated_by_host");
+    const PixelSize size = study.size.value_or(default_size);
+    Json json = {
+        {"scene", scene},
+        {"size", {size.columns, size.rows}},
+        {"reference", {{"numeric", "double"}, {"samples", 64}, {"detail", 0.1}, {"heap", 65'536}}}};
+    if (study.budget_seconds) {
+        const Json* point = best(points, "rmse", "host_seconds", *study.budget_seconds);
+        json["budget"] = {{"seconds", *study.budget_seconds},
+                          {"settings", point ? (*point)["settings"]["name"] : Json(nullptr)}};
+    }
+    if (study.target_error) {
+        const Json* point = best(points, "host_seconds", "rmse", *study.target_error);
+        json["target"] = {{"rmse", *study.target_error},
+                          {"settings", point ? (*point)["settings"]["name"] : Json(nullptr)}};
+    }
+    json["advice"] = advice_for(points);
+    json["points"] = std::move(points);
+    return json;
+}
+
+}  // namespace
+
+StudyPlan plan_error(const StudyRequest& request) {
+    if (request.scenes.empty())
+        throw Error(ExitCode::command_line, "study error: give it at least one scene");
+    StudyPlan plan;
+    const std::vector<std::string> names = file_names_of(request.scenes);
+    const std::vector<ErrorSetting> settings = error_settings();
+    const PixelSize size = request.size.value_or(default_size);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string scene = request.scenes[i];
+        const std::string content = fingerprint_of(scene);
+        const auto references = std::make_shared<References>();
+        for (std::size_t k = 0; k < settings.size(); ++k) {
+            plan.units.push_back({fmt::format("{}-{:02}", names[i], k),
+                                  {{"study", "error"},
+                                   {"pxm", PXM_VERSION},
+                                   {"scene", scene},
+                                   {"content", content},
+                                   {"settings", settings[k].name},
+                                   {"size", {size.columns, size.rows}},
+                                   {"repeats", request.repeats},
+                                   {"model", request.machine ? request.machine->name : "964dX"}},
+                                  [=, setting = settings[k]](const UnitControl& control) {
+                                      return measure_setting(scene, setting, request, *references,
+                                                             control);
+                                  }});
+        }
+    }
+    plan.assemble = [=, count = settings.size()](const std::vector<Json>& results) {
+        Json data = {{"scenes", Json::array()}};
+        for (std::size_t i = 0; i < request.scenes.size(); ++i) {
+            Json points = Json::array();
+            for (std::size_t k = 0; k < count; ++k) points.push_back(results[i * count + k]);
+            data["scenes"].push_back(scene_json(request.scenes[i], std::move(points), request));
+        }
+        return data;
+    };
+    plan.tables = error_tables;
+    plan.page = error_page;
+    return plan;
+}
+
 }  // namespace pxm::host

@@ -166,7 +166,10 @@ struct Path {
     static constexpr int row_count = 15;
 
     alignas(64) float rows[row_count][capacity];
+    alignas(64) double twice[base + 1][capacity];  // of shared levels; used if deep
+    bool deep = false;
     double start_base = 0;
+    double start_diameter = 0;
     int object = 0;
     int shared = 0;          // levels that all rays share; those of a single ray follow
     std::uint32_t hash = 0;  // of the shared symbols, unfinished

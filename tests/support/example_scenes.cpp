@@ -154,6 +154,14 @@ ifs grass {
 }
 )";
 
+constexpr const char* narrow = R"(
+ifs narrow {
+    newmap scale: 0.5 translate: 0,0.45,0
+    newmap scale: 0.4 rotate: y,70 translate: 0.3,0.05,0.1
+    newmap scale: 0.45,0.4,0.4 rotate: y,20 translate: -0.3,0.1,-0.15
+}
+)";
+
 /// Objects and views that need more than a system's name.
 std::vector<Example> composed_scenes(const std::string& image) {
     return {
@@ -178,6 +186,17 @@ std::vector<Example> composed_scenes(const std::string& image) {
                             "light lamp { position: -2,2,-3 color: 0.3,0.4,0.5 }" +
                             image},
         {"declared", ifs("tetra") + "object a { ifs: tetra sphere: (0,0,0) 1.3 }" + image},
+        {"declared-hull", ifs("octo") + "object a { ifs: octo hull rotate: z,20 }" + image},
+        {"declared-cone",
+         ifs("narrow") + "object a { ifs: narrow cone scale: 1,2,1 rotate: x,25 }" + image},
+        {"declared-cylinder",
+         ifs("narrow") + "object a { ifs: narrow cylinder rotate: z,65 }" + image},
+        {"primitives",
+         "object a { sphere: (0,0.3,0) 0.9 scale: 1,0.6,1.4 rotate: y,30 translate: -1.5,0,0.4 }"
+         "object b { box: (-0.5,-0.8,-0.4)(0.6,0.7,0.5) rotate: x,35 rotate: z,15 }"
+         "object c { cone scale: 0.7,-1.3,0.9 rotate: z,20 translate: 1.4,0.5,0 }"
+         "object d { cylinder scale: 0.4,0.9,0.3 rotate: x,70 translate: 0.3,1.2,0.5 }" +
+             ifs("tetra") + "object e { ifs: tetra scale: 0.7 translate: 0,-1.1,-0.6 }" + image},
         {"declared-box", ifs("octo") + "object a { ifs: octo box: (-1.1,-1,-1)(1,1.2,1) }" + image},
     };
 }
@@ -196,7 +215,8 @@ std::string ifs(const std::string& name) {
                                                               {"squashed", squashed},
                                                               {"elm", elm},
                                                               {"bulging", bulging},
-                                                              {"grass", grass}};
+                                                              {"grass", grass},
+                                                              {"narrow", narrow}};
     return others.at(name);
 }
 
@@ -222,6 +242,13 @@ std::vector<Example> example_scenes(const std::string& size) {
                                           volume),
                               image)});
             }
+        }
+    }
+    for (const char* volume : {"oriented", "hull"}) {
+        for (const char* name : {"tetra", "squashed", "asymmetric", "mirrored"}) {
+            examples.push_back(
+                {fmt::format("{}-{}", name, volume),
+                 scene_of(name, fmt::format("volume: {} shading: low-pass", volume), image)});
         }
     }
     for (const char* shading : {"constant", "low-pass", "high-pass", "facet"}) {

@@ -11,7 +11,8 @@ namespace pxm::test {
 /// The text of an ifs block, named as below. Five non-Platonic non-solids (App. B.3, with exact
 /// numbers): tetra octo menger icos dodec. The graph: `asymmetric` follow rules, `hierarchical`
 /// components. The maps: `mirrored` (negative determinants), `squashed` (needs polar), `elm`
-/// (App. B.2.2), `bulging` (images that stick out of the volume, Erratum 3), `grass` (App. B.2.1).
+/// (App. B.2.2), `bulging` (images that stick out of the volume, Erratum 3), `grass` (App. B.2.1),
+/// `narrow` (fits the unit cone).
 [[nodiscard]] std::string ifs(const std::string& name);
 
 /// ifs(name) with an image of that size and, if not empty, a render block with those directives.

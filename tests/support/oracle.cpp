@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "tests/support/crossing.hpp"
+
 namespace pxm::test {
 
 using namespace host;
@@ -34,65 +36,12 @@ double largest_singular_value(const Affine& map) {
     return Eigen::JacobiSVD<Eigen::Matrix3d>(matrix_of(map)).singularValues()(0);
 }
 
-/// Where a line is inside a volume, and the volume's outward normals at both ends.
-struct Crossing {
-    double entry = -infinity;
-    double exit = infinity;
-    glm::dvec3 entry_normal{0.0};
-    glm::dvec3 exit_normal{0.0};
-};
-
-/// |o + t d - c|^2 = r^2; the discriminant by the distance of the line from the centre.
-std::optional<Crossing> cross_sphere(const glm::dvec3& o, const glm::dvec3& d,
-                                     const CompiledVolume& sphere) {
-    const glm::dvec3 from_center = o - sphere.center;
-    const glm::dvec3 lever = glm::cross(from_center, d);
-    const double a = glm::dot(d, d);
-    const double b = glm::dot(from_center, d);
-    const double discriminant = sphere.radius * sphere.radius * a - glm::dot(lever, lever);
-    if (discriminant < 0) return std::nullopt;
-    Crossing result;
-    result.entry = (-b - std::sqrt(discriminant)) / a;
-    result.exit = (-b + std::sqrt(discriminant)) / a;
-    result.entry_normal = from_center + result.entry * d;
-    result.exit_normal = from_center + result.exit * d;
-    return result;
-}
-
-/// Slab by slab.
-std::optional<Crossing> cross_box(const glm::dvec3& o, const glm::dvec3& d,
-                                  const CompiledVolume& box) {
-    Crossing result;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (d[axis] == 0) {
-            if (o[axis] < box.low[axis] || box.high[axis] < o[axis]) return std::nullopt;
-            continue;
-        }
-        glm::dvec3 outward{0.0};
-        outward[axis] = d[axis] > 0 ? 1 : -1;
-        const double to_low = (box.low[axis] - o[axis]) / d[axis];
-        const double to_high = (box.high[axis] - o[axis]) / d[axis];
-        const auto [near, far] = std::minmax(to_low, to_high);
-        if (near > result.entry) {
-            result.entry = near;
-            result.entry_normal = -outward;
-        }
-        if (far < result.exit) {
-            result.exit = far;
-            result.exit_normal = outward;
-        }
-    }
-    if (result.exit < result.entry) return std::nullopt;
-    return result;
-}
-
 /// The ray in the coordinates of a cell, against the volume there (Eq. 12.3).
 std::optional<Crossing> cross(const Sight& ray, const Affine& place, const Eigen::Matrix3d& back,
                               const CompiledVolume& volume) {
     const glm::dvec3 o = vector(row(ray.origin - place.translation) * back);
     const glm::dvec3 d = vector(row(ray.direction) * back);
-    return volume.kind == kernels::Volume::sphere ? cross_sphere(o, d, volume)
-                                                  : cross_box(o, d, volume);
+    return cross_volume(o, d, volume);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "host/fractal/enclosing_ball.hpp"
-#include "host/fractal/short_by.hpp"
 #include "host/fractal/support.hpp"
 #include "tests/host/fractal/systems.hpp"
 
@@ -264,30 +263,6 @@ TEST(Bounds, a_ten_thousandth_short_of_isometry_is_still_tight) {
     const Bounds bounds = bound_of(rifs)[0];
     EXPECT_NEAR(bounds.ball.radius, 1 / 0.9, 0.01);
     EXPECT_LE(bounds.ball_slack, 0.003);
-}
-
-TEST(ShortBy, a_sphere_that_contains_the_attractor_is_not_short) {
-    const Rifs rifs = systems::grass();
-    EXPECT_LE(short_by(rifs, bound_of(rifs), 0, SphereVolume{{0, 0, 0}, 3}), 0);
-}
-
-TEST(ShortBy, a_sphere_is_short_by_the_farthest_point) {
-    const Rifs rifs = complete(systems::homotheties(0.5, {{0, 0, 0}, {1, 0, 0}}));  // [0,2] on x
-    EXPECT_NEAR(short_by(rifs, bound_of(rifs), 0, SphereVolume{{0, 0, 0}, 1.5}), 0.5, 1e-3);
-    EXPECT_GE(short_by(rifs, bound_of(rifs), 0, SphereVolume{{0, 0, 0}, 1.5}), 0.5);
-}
-
-TEST(ShortBy, a_volume_that_touches_is_not_short) {
-    const Rifs rifs = systems::menger(1.0 / 3, 2.0 / 3);  // corners at +-1
-    const auto bounds = bound_of(rifs);
-    EXPECT_LE(short_by(rifs, bounds, 0, BoxVolume{glm::dvec3{-1}, glm::dvec3{1}}), 0);
-    EXPECT_LE(short_by(rifs, bounds, 0, SphereVolume{{0, 0, 0}, std::sqrt(3.0)}), 0);
-}
-
-TEST(ShortBy, a_box_is_short_by_its_worst_side) {
-    const Rifs rifs = systems::menger(1.0 / 3, 2.0 / 3);
-    const BoxVolume box{{-1, -0.75, -1}, {1, 1, 0.5}};
-    EXPECT_NEAR(short_by(rifs, bound_of(rifs), 0, box), 0.5, 1e-6);
 }
 
 }  // namespace

@@ -102,9 +102,10 @@ TEST(Floor, its_pixels_say_where_and_what_it_is) {
 }
 
 TEST(Floor, is_in_shadow_where_an_object_hides_the_light) {
+    const std::string coarse = std::string(test::tetra_text) + "object o { ifs: tetra levels: 2 }";
     const std::string light =
-        "light { direction: 0.6,1,-0.3 shadow: on } render { ambient: 0,0,0 }";
-    const CompiledScene scene = compile_text(solid + view + floor_block + light);
+        "light { direction: -1,0.7,0.8 shadow: on } render { ambient: 0,0,0 }";
+    const CompiledScene scene = compile_text(coarse + view + floor_block + light);
     const Frame frame = render_natively(scene, Numeric::twice).frame;
     test::Oracle oracle(scene, 0x1p-48);
     int shadows = 0;
@@ -114,16 +115,15 @@ TEST(Floor, is_in_shadow_where_an_object_hides_the_light) {
             if (frame.at(x, y).object != 1) continue;
             const test::Sight eye = oracle.sight(x, y);
             const double t = frame.at(x, y).z / scene.unit;
-            // A finer view than the shadow ray's: it differs at the shadow's edge alone.
             const test::Sight to_light{eye.origin + t * eye.direction,
-                                       glm::normalize(glm::dvec3{0.6, 1, -0.3})};
+                                       glm::normalize(glm::dvec3{-1, 0.7, 0.8})};
             const bool hidden = !oracle.look(to_light).empty();
             shadows += hidden ? 1 : 0;
             wrong += hidden != (frame.at(x, y).color[0] == 0) ? 1 : 0;
         }
     }
     EXPECT_GT(shadows, 40);
-    EXPECT_LT(wrong, shadows / 3);
+    EXPECT_LT(wrong, shadows / 5);
 }
 
 TEST(Floor, hides_the_light_that_comes_from_below) {
@@ -144,7 +144,7 @@ TEST(Floor, hides_the_light_that_comes_from_below) {
         without += open.pixels[i].color[0];
     }
     EXPECT_EQ(with, 0);
-    EXPECT_GT(without, 10);
+    EXPECT_GT(without, 3);
 }
 
 // A mirror shows what stands behind it in a scene where everything is mirrored.

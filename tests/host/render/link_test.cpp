@@ -71,6 +71,9 @@ const std::vector<Feature> features{
     {simple, simple + "object case { ifs: gasket box: (-2,-2,-2)(2,2,2) }", "box"},
     {gasket + "object case { ifs: gasket box: (-2,-2,-2)(2,2,2) }" + key,
      simple + "object case { ifs: gasket box: (-2,-2,-2)(2,2,2) }", "sphere"},
+    {simple, simple + "object jar { cylinder }", "cylinder"},
+    {simple, simple + "object tip { cone }", "cone"},
+    {simple, simple + "object case { ifs: gasket hull }", "hull"},
     {simple, simple + "render { lipschitz: polar }", "polar"},
     {simple,
      simple + "ifs slant { newmap scale: 0.5,0.4,0.3 newmap scale: 0.5 translate: 0.5,0,0 }"
@@ -120,6 +123,16 @@ TEST(Link, what_goes_beyond_the_first_cell_replaces_the_tracer) {
     const NodeProgram all = linked(mirrored);
     EXPECT_EQ(added(plain, all), (Names{"trace_all", "mirror"}));
     EXPECT_EQ(added(all, plain), Names{"trace"});
+}
+
+TEST(Link, another_kind_of_volume_replaces_the_module_of_the_first) {
+    const NodeProgram sphere = linked(gasket + key + "render { volume: sphere }");
+    for (const char* kind : {"box", "oriented", "hull"}) {
+        const NodeProgram other =
+            linked(gasket + key + fmt::format("render {{ volume: {} }}", kind));
+        EXPECT_EQ(added(sphere, other), Names{kind});
+        EXPECT_EQ(added(other, sphere), Names{"sphere"});
+    }
 }
 
 TEST(Link, another_projection_replaces_the_module_of_the_first) {

@@ -45,7 +45,8 @@ std::vector<Example> mixed_scenes(const std::string& size) {
     std::vector<Example> chosen;
     for (const Example& example : example_scenes(size)) {
         for (const char* name : {"inside", "overlapping", "hierarchical", "orthographic", "elm",
-                                 "squashed_polar_box", "mirrored_determinant_sphere"}) {
+                                 "squashed_polar_box", "mirrored_determinant_sphere", "primitives",
+                                 "squashed_oriented", "tetra_hull", "declared_cone"}) {
             if (example.name == name) chosen.push_back(example);
         }
     }

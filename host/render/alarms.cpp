@@ -1,0 +1,165 @@
+#include "host/render/alarms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "dsp_kernels/scene_block.hpp"
+#include "host/fractal/lipschitz.hpp"
+#include "host/render/scene_block.hpp"
+#include "pxm/dsp32/float.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr double least_ulps = 32;  // where float begins to show wrong pixels (docs/studies.md)
+
+/// What a number type can hold.
+struct Precision {
+    const char* name;
+    double step;            // relative error of one operation
+    double smallest_share;  // p never falls below this share of an object's diameter
+    double steepest;        // condition of a map that half of the digits cannot bear
+    double largest;         // whose square is still in range
+};
+
+Precision precision_of(Numeric numeric) {
+    switch (numeric) {
+        case Numeric::dsp32:
+            return {"dsp32", 0x1p-23, smallest_pixel_share<dsp32::Float>(), 0x1p12, 1e18};
+        case Numeric::single:
+            return {"float", 0x1p-24, smallest_pixel_share<float>(), 0x1p12, 1e18};
+        case Numeric::twice:
+            break;
+    }
+    return {"double", 0x1p-53, smallest_pixel_share<double>(), 0x1p26, 1e150};
+}
+
+/// An object's outermost volume, seen from the eye, in scene units.
+struct Place {
+    double distance = 0;  // of its middle
+    double diameter = 0;
+};
+
+std::vector<Place> places_of(const CompiledScene& scene) {
+    std::vector<Place> places;
+    for (const CompiledObject& object : scene.objects) {
+        const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
+        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(shape.start)].volume;
+        places.push_back({glm::length(object.instance.point(volume.center)), object.diameter});
+    }
+    return places;
+}
+
+double pixel_at(const CompiledScene& scene, double distance) {
+    return scene.camera.pixel_at_eye + scene.camera.pixel_growth * distance;
+}
+
+/// Alarms of a pixel that looks at an object from this distance on.
+std::uint8_t look(const CompiledScene& scene, const Precision& precision, double distance,
+                  const Place& place) {
+    const double p = pixel_at(scene, distance) * std::min(1.0, scene.detail);
+    const double coordinates = std::max({distance, place.distance, place.diameter});
+    std::uint8_t alarms = 0;
+    if (p < least_ulps * precision.step * coordinates) alarms |= alarm_precision;
+    if (p < precision.smallest_share * place.diameter) alarms |= alarm_floored;
+    return alarms;
+}
+
+/// What is true of every pixel that misses: it might have met any object. Of objects around the eye
+/// it is not known how near a ray passes them.
+std::uint8_t alarms_of_misses(const CompiledScene& scene, const Precision& precision,
+                              const std::vector<Place>& places) {
+    std::uint8_t alarms = 0;
+    for (const Place& place : places) {
+        const double nearest = place.distance - place.diameter / 2;
+        if (nearest > 0) alarms |= look(scene, precision, nearest, place);
+    }
+    return alarms;
+}
+
+bool is_finite(const PixelRecord& pixel) {
+    const auto all = [](const float(&v)[3]) {
+        return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+    };
+    return all(pixel.color) && all(pixel.normal) && (pixel.level < 0 || std::isfinite(pixel.z));
+}
+
+void mark_pixels(const CompiledScene& scene, const Precision& precision, Frame& frame) {
+    const std::vector<Place> places = places_of(scene);
+    const std::uint8_t missed = alarms_of_misses(scene, precision, places);
+    for (PixelRecord& pixel : frame.pixels) {
+        const auto object = static_cast<std::size_t>(pixel.object);
+        pixel.alarms |= pixel.level < 0 || object >= places.size()
+                            ? missed
+                            : look(scene, precision, double{pixel.z} / scene.unit, places[object]);
+        if (!is_finite(pixel)) pixel.alarms |= alarm_not_finite;
+    }
+}
+
+std::uint64_t count_pixels(const Frame& frame, PixelAlarm alarm) {
+    return static_cast<std::uint64_t>(std::ranges::count_if(
+        frame.pixels, [&](const PixelRecord& p) { return (p.alarms & alarm) != 0; }));
+}
+
+template <class Wrong>
+std::uint64_t count_maps(const CompiledScene& scene, const Wrong& wrong) {
+    std::uint64_t count = 0;
+    for (const CompiledShape& shape : scene.shapes)
+        for (const CompiledMap& map : shape.maps) count += wrong(map) ? 1 : 0;
+    return count;
+}
+
+bool is_out_of_range(const CompiledMap& map, double largest) {
+    const Affine back = inverse(map.map);
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            if (!(std::abs(back.linear[i][j]) <= largest)) return true;
+        if (!(std::abs(back.translation[i]) <= largest)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Frame& frame) {
+    const Precision precision = precision_of(numeric);
+    mark_pixels(scene, precision, frame);
+    const auto steep = [&](const CompiledMap& map) {
+        const auto values = singular_values(map.map.linear).values;
+        return !(values[0] <= precision.steepest * values[2]);
+    };
+    const auto outside = [&](const CompiledMap& map) {
+        return is_out_of_range(map, precision.largest);
+    };
+    const char* name = precision.name;
+    return {{"precision", count_pixels(frame, alarm_precision),
+             fmt::format("pixels are less than {} units of the last place of {} wide where they "
+                         "look: cells may be missed or misplaced",
+                         least_ulps, name)},
+            {"floored", count_pixels(frame, alarm_floored),
+             fmt::format("pixels are finer than {} can tell apart: they show larger cells", name)},
+            {"capped", count_pixels(frame, alarm_capped),
+             "pixels show the nearest cell known when their ray was given up"},
+            {"not_finite", count_pixels(frame, alarm_not_finite),
+             "pixels have a depth, colour or normal that is no number"},
+            {"steep_maps", count_maps(scene, steep),
+             fmt::format("maps squash so much that {} keeps less than half of its digits", name)},
+            {"range", count_maps(scene, outside),
+             fmt::format("maps have inverses that leave the range of {}", name)}};
+}
+
+std::string alarm_text(const std::vector<Alarm>& alarms) {
+    std::string text;
+    for (const Alarm& alarm : alarms) {
+        // Rays that were given up are told of with their cap.
+        if (alarm.count == 0 || alarm.name == "capped") continue;
+        text += fmt::format("warning: {} {}\n", alarm.count, alarm.text);
+    }
+    return text;
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,14 @@
+// The stability study as a table and as a page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/study/study.hpp"
+
+namespace pxm::host {
+
+[[nodiscard]] std::vector<TextFile> stability_tables(const Json& data);
+[[nodiscard]] std::string stability_page(const Json& data, const std::string& folder);
+
+}  // namespace pxm::host

@@ -1,0 +1,68 @@
+// Laws of the alarms (docs/alarms.md).
+#include "host/render/alarms.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/render_text.hpp"
+
+namespace pxm::host {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::uint64_t count_of(const RenderResult& result, const std::string& name) {
+    const auto found = std::ranges::find(result.statistics.alarms, name, &Alarm::name);
+    EXPECT_NE(found, result.statistics.alarms.end()) << name;
+    return found->count;
+}
+
+RenderResult tetra_at(double zoom, Numeric numeric) {
+    RenderRequest request;
+    request.overrides.size = PixelSize{16, 12};
+    request.overrides.numeric = numeric;
+    request.overrides.zoom = zoom;
+    request.overrides.volume = VolumeKind::sphere;
+    return test::render_text(std::string(test::tetra_text) + "camera { eye: 0,1,-3 look: 0,1,0 }",
+                             request);
+}
+
+TEST(Alarms, an_ordinary_view_raises_none) {
+    for (const Numeric numeric : {Numeric::dsp32, Numeric::single, Numeric::twice}) {
+        const RenderResult result = tetra_at(1, numeric);
+        for (const Alarm& alarm : result.statistics.alarms)
+            EXPECT_EQ(alarm.count, 0U) << alarm.name;
+        EXPECT_EQ(result.warnings, "");
+    }
+}
+
+TEST(Alarms, a_view_beyond_the_numbers_raises_precision_and_double_has_more_of_it) {
+    const RenderResult near = tetra_at(1e6, Numeric::single);
+    EXPECT_GT(near.statistics.rays.hits, 10U);
+    EXPECT_EQ(count_of(near, "precision"), near.statistics.rays.hits);
+    EXPECT_EQ(count_of(tetra_at(1e6, Numeric::twice), "precision"), 0U);
+    EXPECT_THAT(near.warnings,
+                HasSubstr(std::to_string(near.statistics.rays.hits) +
+                          " pixels are less than 32 units of the last place of float"));
+}
+
+TEST(Alarms, pixels_finer_than_the_floor_are_told) {
+    EXPECT_GT(count_of(tetra_at(1e7, Numeric::dsp32), "floored"), 0U);
+    EXPECT_EQ(count_of(tetra_at(1e7, Numeric::twice), "floored"), 0U);
+}
+
+TEST(Alarms, steep_maps_are_told_in_single_precision) {
+    const std::string steep =
+        "ifs a { newmap scale: 0.5,0.00001,0.5 newmap scale: 0.5 translate: 1,0,0 }";
+    RenderRequest request;
+    request.overrides.size = PixelSize{8, 8};
+    EXPECT_EQ(count_of(test::render_text(steep, request), "steep_maps"), 1U);
+    request.overrides.numeric = Numeric::twice;
+    EXPECT_EQ(count_of(test::render_text(steep, request), "steep_maps"), 0U);
+}
+
+}  // namespace
+}  // namespace pxm::host
