@@ -43,7 +43,7 @@ class Bench {
     using FollowSet = FollowSetRecord<real_words<Real>>;
 
     explicit Bench(host::VolumeKind volume)
-        : block_(make_block(volume)), node(block_, 256, sizeof(Cell<Real>)), heap(node) {
+        : block_(make_block(volume)), node(block_, {}, 256, sizeof(Cell<Real>)), heap(node) {
         frame = read_frame_constants(node);
         object = node.shape_word(Header::objects);
         for (std::uint32_t y = 0; y < 16; ++y) {
