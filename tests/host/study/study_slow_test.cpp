@@ -17,18 +17,21 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr double soon_seconds = 5;
+constexpr int patience = 12'000;  // times 5 ms
 
 TEST(InterruptedStudy, goes_on_where_it_stopped) {
     Folder folder;
     folder.write("tetra.pxm", tetra_scene);
-    fs::copy(source_dir + "/scenes/elm.pxm", folder.path("elm.pxm"));
+    fs::copy(source_dir + "/scenes/parts/elm.pxm", folder.path("elm.pxm"));
     const Arguments command{"study", "balance", "tetra.pxm", "elm.pxm",
                             "-o",    "out",     "--size",    "400x300"};
     {
         Process program(folder, command);
         program.wait_until_it_catches(SIGTERM);
-        while (!folder.has("out/units/tetra.json"))
+        for (int i = 0; i < patience && !folder.has("out/units/tetra.json"); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        ASSERT_TRUE(folder.has("out/units/tetra.json"));
         program.send(SIGTERM);
         EXPECT_EQ(program.wait(soon_seconds).exit_code, 143);
     }
