@@ -25,8 +25,11 @@ std::string scene_path(const std::string& name) {
 
 std::vector<std::string> scene_names() {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(fs::path(source_dir) / "scenes"))
-        if (entry.path().extension() == ".pxm") names.push_back(entry.path().stem().string());
+    const fs::path scenes = fs::path(source_dir) / "scenes";
+    for (const auto& entry : fs::recursive_directory_iterator(scenes)) {
+        if (entry.path().extension() != ".pxm") continue;
+        names.push_back(fs::relative(entry.path(), scenes).replace_extension("").string());
+    }
     std::ranges::sort(names);
     return names;
 }
