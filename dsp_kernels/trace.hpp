@@ -22,6 +22,7 @@ struct Features {
     bool mirrors = false;  // surfaces that reflect
 };
 inline constexpr Features plain_features{};
+inline constexpr Features ray_features{false, true, true};
 inline constexpr Features all_features{true, true, true};
 
 /// What the tracer takes from the scene block, read once for all pixels.

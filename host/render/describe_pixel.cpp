@@ -175,8 +175,9 @@ std::string describe(const CompiledScene& scene, long x, long y) {
 
 template <class Real>
 std::string describe_what_is_needed(const CompiledScene& scene, long x, long y) {
-    return needs_plain_features(scene) ? describe<Real, kernels::plain_features>(scene, x, y)
-                                       : describe<Real, kernels::all_features>(scene, x, y);
+    if (needs_plain_features(scene)) return describe<Real, kernels::plain_features>(scene, x, y);
+    return needs_covers(scene) ? describe<Real, kernels::all_features>(scene, x, y)
+                               : describe<Real, kernels::ray_features>(scene, x, y);
 }
 
 }  // namespace

@@ -58,9 +58,13 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
     const char* nothing = "no objects or planes";
     const bool shadows = surfaces && needs_shadows(scene);
     take("pixel_program", true, "every node has pixels", "");
+    const bool covers = needs_covers(scene);
     take("trace", plain, "the first cell of each eye ray is all that counts",
-         "trace_all takes its place");
-    take("trace_all", !plain, "local covers, shadows or mirrors", "trace is enough");
+         "another tracer takes its place");
+    take("trace_rays", !plain && !covers, "shadows or mirrors, and no local covers",
+         plain ? "no shadows and mirrors" : "another tracer takes its place");
+    take("trace_all", covers, "local covers or translucent objects",
+         "covers: off, and no translucent object");
     take("vectors", true, "every other module calls it", "");
     take("camera", true, "every pixel has an eye ray", "");
     take("perspective", perspective, "a perspective camera", "an orthographic camera");
@@ -159,7 +163,9 @@ std::int64_t NodeProgram::used_bytes() const {
 NodeProgram link(const CompiledScene& scene) {
     NodeProgram program;
     choose_modules(scene, program);
-    const std::string_view tracer = needs_plain_features(scene) ? "trace" : "trace_all";
+    const std::string_view tracer = needs_plain_features(scene) ? "trace"
+                                    : needs_covers(scene)       ? "trace_all"
+                                                                : "trace_rays";
     const auto entry = std::ranges::find_if(function_table, [&](const MeasuredFunction& function) {
         return function.module == tracer && function.name == entry_function;
     });

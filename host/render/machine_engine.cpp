@@ -142,8 +142,11 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
 template <class Real>
 EngineResult run_what_is_needed(const CompiledScene& scene, const EngineChoice& choice,
                                 const RunControl& control) {
-    return needs_plain_features(scene) ? run<Real, kernels::plain_features>(scene, choice, control)
-                                       : run<Real, kernels::all_features>(scene, choice, control);
+    if (needs_plain_features(scene)) {
+        return run<Real, kernels::plain_features>(scene, choice, control);
+    }
+    return needs_covers(scene) ? run<Real, kernels::all_features>(scene, choice, control)
+                               : run<Real, kernels::ray_features>(scene, choice, control);
 }
 
 }  // namespace

@@ -41,26 +41,27 @@ const std::vector<MeasuredModule> module_table{
     {"texture_wood", 2419, 120, 0},
     {"trace", 2146, 20, 0},
     {"trace_all", 3201, 24, 0},
+    {"trace_rays", 2886, 24, 0},
     {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 128, {157, 2, 4}},  // 0
+    {"box", "box_normal", 128, {168, 2, 4}},  // 0
     {"box", "clip_to_slab", 8, {}},  // 1
     {"box", "decisive_face", 8, {}},  // 2
-    {"box", "intersect_box", 112, {157, 1}},  // 3
+    {"box", "intersect_box", 112, {168, 1}},  // 3
     {"box", "box_normal (part)", 8, {}},  // 4
-    {"camera", "eye_ray", 96, {154, 157, 87, 86}},  // 5
-    {"cone", "cone_normal", 128, {154, 157, 7, 162, 167}},  // 6
+    {"camera", "eye_ray", 96, {165, 168, 87, 86}},  // 5
+    {"cone", "cone_normal", 128, {165, 168, 7, 173, 178}},  // 6
     {"cone", "clip_to_mantle", 8, {}},  // 7
-    {"cone", "intersect_cone", 80, {157, 7, 167}},  // 8
+    {"cone", "intersect_cone", 80, {168, 7, 178}},  // 8
     {"covers", "next_after", 432, {16, 50, 33, 75, 76, 77, 36, 52, 21}},  // 9
     {"covers", "covers_along", 768, {57, 9, 16, 52, 18, 22}},  // 10
     {"covers", "covers_along", 768, {57, 9, 16, 52, 19, 23}},  // 11
     {"covers", "MissedChildren::shown", 8, {}},  // 12
-    {"covers", "MissedChildren::missed", 80, {157, 29, 96, 162, 35, 167}},  // 13
-    {"covers", "shrunk_for_covers", 96, {154, 157, 163, 37, 167}},  // 14
+    {"covers", "MissedChildren::missed", 80, {168, 29, 96, 173, 35, 178}},  // 13
+    {"covers", "shrunk_for_covers", 96, {165, 168, 174, 37, 178}},  // 14
     {"covers", "push_children_and_cover", 480, {27, 12, 13, 96, 16, 43, 32, 35}},  // 15
     {"covers", "Cell::Cell", 8, {}},  // 16
     {"covers", "ending", 48, {28}},  // 17
@@ -71,21 +72,21 @@ const std::vector<MeasuredFunction> function_table{
     {"covers", "CoverWalk::tell", 32, {50, 20}},  // 22
     {"covers", "CoverWalk::tell", 32, {50}},  // 23
     {"cylinder", "within_mantle", 8, {}},  // 24
-    {"cylinder", "cylinder_normal", 128, {154, 157, 24, 167}},  // 25
-    {"cylinder", "intersect_cylinder", 96, {157, 24, 167}},  // 26
-    {"descend", "child_cell", 144, {155, 158, 39}},  // 27
+    {"cylinder", "cylinder_normal", 128, {165, 168, 24, 178}},  // 25
+    {"cylinder", "intersect_cylinder", 96, {168, 24, 178}},  // 26
+    {"descend", "child_cell", 144, {166, 169, 39}},  // 27
     {"descend", "at_last_level", 8, {}},  // 28
     {"descend", "cell_diameter", 32, {97}},  // 29
-    {"descend", "outermost_cell", 176, {155, 156, 158, 35}},  // 30
+    {"descend", "outermost_cell", 176, {166, 167, 169, 35}},  // 30
     {"descend", "intersect_volume", 8, {3, 8, 55, 110, 26, 84}},  // 31
     {"descend", "meet", 112, {28, 31, 14, 34}},  // 32
     {"descend", "ending", 48, {28, 29, 37}},  // 33
-    {"descend", "approach", 80, {157, 164}},  // 34
+    {"descend", "approach", 80, {168, 175}},  // 34
     {"descend", "is_polar", 8, {}},  // 35
     {"descend", "map_from", 8, {}},  // 36
     {"descend", "pixel_at", 8, {}},  // 37
-    {"flatness", "undo_squash", 80, {154, 162, 167}},  // 38
-    {"flatness", "keep_thickness", 208, {156, 157, 38, 161, 162, 35, 37, 168}},  // 39
+    {"flatness", "undo_squash", 80, {165, 173, 178}},  // 38
+    {"flatness", "keep_thickness", 208, {167, 168, 38, 172, 173, 35, 37, 179}},  // 39
     {"heap", "cell_words", 8, {}},  // 40
     {"heap", "Heap::pop", 16, {44, 46, 48}},  // 41
     {"heap", "Heap::keep", 8, {51}},  // 42
@@ -99,25 +100,25 @@ const std::vector<MeasuredFunction> function_table{
     {"heap", "before", 8, {}},  // 50
     {"heap", "copy_cell", 32, {40}},  // 51
     {"heap", "move_cell", 8, {51}},  // 52
-    {"hull", "cross_plane", 80, {157, 162}},  // 53
-    {"hull", "hull_normal", 128, {53, 157, 167}},  // 54
-    {"hull", "intersect_hull", 112, {53, 157, 167}},  // 55
-    {"illuminate", "facing", 16, {162}},  // 56
+    {"hull", "cross_plane", 80, {168, 173}},  // 53
+    {"hull", "hull_normal", 128, {53, 168, 178}},  // 54
+    {"hull", "intersect_hull", 112, {53, 168, 178}},  // 55
+    {"illuminate", "facing", 16, {173}},  // 56
     {"intersect", "count_heap", 8, {}},  // 57
     {"intersect", "push_objects", 384, {30, 60, 43, 32}},  // 58
     {"intersect", "push_children", 416, {27, 96, 60, 43, 32, 35}},  // 59
     {"intersect", "Cell::Cell", 8, {}},  // 60
     {"intersect", "intersect", 112, {57, 72, 58, 59, 60, 41, 33}},  // 61
-    {"intersect_fast", "project_ray", 192, {155, 157, 158, 162, 164, 167, 168}},  // 62
+    {"intersect_fast", "project_ray", 192, {166, 168, 169, 173, 175, 178, 179}},  // 62
     {"intersect_fast", "include_point", 8, {}},  // 63
-    {"intersect_fast", "project_child", 128, {154, 157, 162, 167}},  // 64
+    {"intersect_fast", "project_child", 128, {165, 168, 173, 178}},  // 64
     {"intersect_fast", "search_object", 416, {62, 63, 66, 68, 69, 70}},  // 65
     {"intersect_fast", "ProjectedStack::push", 16, {}},  // 66
     {"intersect_fast", "intersect_fast", 416, {65, 61}},  // 67
-    {"intersect_fast", "push_projected", 128, {157, 63, 64, 66}},  // 68
+    {"intersect_fast", "push_projected", 128, {168, 63, 64, 66}},  // 68
     {"intersect_fast", "ending", 48, {37}},  // 69
-    {"intersect_fast", "as_cell", 128, {156, 163, 35}},  // 70
-    {"mirror", "mirrored", 112, {154, 162, 168}},  // 71
+    {"intersect_fast", "as_cell", 128, {167, 174, 35}},  // 70
+    {"mirror", "mirrored", 112, {165, 173, 179}},  // 71
     {"next_after", "next_after", 432, {73, 50, 33, 75, 76, 77, 36, 52}},  // 72
     {"next_after", "Cell::Cell", 8, {}},  // 73
     {"next_after", "CellPath::make_again", 688, {27, 96, 73, 46, 32, 35, 36, 52, 78}},  // 74
@@ -125,50 +126,50 @@ const std::vector<MeasuredFunction> function_table{
     {"next_after", "CellPath::down", 368, {27, 96, 73, 42, 32, 35, 52}},  // 76
     {"next_after", "CellPath::start", 32, {30, 32}},  // 77
     {"next_after", "CellWord::get", 8, {}},  // 78
-    {"oriented", "along_axes", 64, {162}},  // 79
+    {"oriented", "along_axes", 64, {173}},  // 79
     {"oriented", "clip_to_slab", 8, {}},  // 80
     {"oriented", "decisive_face", 8, {}},  // 81
     {"oriented", "oriented_normal", 128, {81, 83, 85}},  // 82
-    {"oriented", "to_oriented_box", 96, {79, 156, 157, 167}},  // 83
+    {"oriented", "to_oriented_box", 96, {79, 167, 168, 178}},  // 83
     {"oriented", "intersect_oriented", 80, {80, 83}},  // 84
-    {"oriented", "oriented_normal (part)", 32, {157}},  // 85
-    {"orthographic", "orthographic_ray", 32, {154, 157}},  // 86
-    {"perspective", "perspective_ray", 16, {168}},  // 87
-    {"pixel_program", "read_frame_constants", 32, {157}},  // 88
-    {"plane", "nearest_plane", 96, {157, 162}},  // 89
-    {"plane", "plane_surface", 144, {112, 157, 162, 166, 115}},  // 90
-    {"point_light", "facing_point_light", 944, {27, 99, 156, 157, 96, 30, 31, 101, 92, 93, 103, 163, 56, 165, 34, 35, 36, 52, 94}},  // 91
-    {"point_light", "direction_to_point_light", 80, {167, 168}},  // 92
+    {"oriented", "oriented_normal (part)", 32, {168}},  // 85
+    {"orthographic", "orthographic_ray", 32, {165, 168}},  // 86
+    {"perspective", "perspective_ray", 16, {179}},  // 87
+    {"pixel_program", "read_frame_constants", 32, {168}},  // 88
+    {"plane", "nearest_plane", 96, {168, 173}},  // 89
+    {"plane", "plane_surface", 144, {112, 168, 173, 177, 115}},  // 90
+    {"point_light", "facing_point_light", 944, {27, 99, 167, 168, 96, 30, 31, 101, 92, 93, 103, 174, 56, 176, 34, 35, 36, 52, 94}},  // 91
+    {"point_light", "direction_to_point_light", 80, {178, 179}},  // 92
     {"point_light", "Cell::Cell", 8, {}},  // 93
-    {"point_light", "AddPointLight::operator", 96, {29, 92, 56, 104, 166}},  // 94
+    {"point_light", "AddPointLight::operator", 96, {29, 92, 56, 104, 177}},  // 94
     {"polar", "jacobi_rotate", 8, {}},  // 95
-    {"polar", "complete_child", 144, {156, 165}},  // 96
-    {"polar", "largest_singular_value", 128, {95, 162, 163}},  // 97
-    {"shade", "surface_at", 112, {101, 103, 168, 105}},  // 98
-    {"shade", "cell_normal", 96, {100, 160, 168}},  // 99
+    {"polar", "complete_child", 144, {167, 176}},  // 96
+    {"polar", "largest_singular_value", 128, {95, 173, 174}},  // 97
+    {"shade", "surface_at", 112, {101, 103, 179, 105}},  // 98
+    {"shade", "cell_normal", 96, {100, 171, 179}},  // 99
     {"shade", "volume_normal", 8, {0, 6, 54, 109, 25, 82}},  // 100
     {"shade", "outermost_diameter", 352, {29, 30, 102}},  // 101
     {"shade", "Cell::Cell", 8, {}},  // 102
-    {"shade", "blend", 112, {154, 157, 163}},  // 103
-    {"shade", "PathSum::add", 48, {154}},  // 104
-    {"shade", "walk_path", 896, {27, 99, 156, 157, 96, 30, 31, 102, 103, 165, 34, 35, 36, 52, 106}},  // 105
+    {"shade", "blend", 112, {165, 168, 174}},  // 103
+    {"shade", "PathSum::add", 48, {165}},  // 104
+    {"shade", "walk_path", 896, {27, 99, 167, 168, 96, 30, 31, 102, 103, 176, 34, 35, 36, 52, 106}},  // 105
     {"shade", "AddNormal::operator", 48, {29, 104}},  // 106
     {"shadow", "search_to_light", 8, {}},  // 107
-    {"shadow_point", "search_from_light", 80, {162, 167, 168}},  // 108
-    {"sphere", "sphere_normal", 96, {154, 157, 167}},  // 109
-    {"sphere", "intersect_sphere", 112, {157, 162, 167}},  // 110
-    {"texture", "in_repeats", 48, {162}},  // 111
-    {"texture", "layer_color", 192, {154, 111, 157, 113, 167}},  // 112
-    {"texture", "texture_color", 48, {130, 118, 157, 122, 116}},  // 113
+    {"shadow_point", "search_from_light", 80, {173, 178, 179}},  // 108
+    {"sphere", "sphere_normal", 96, {165, 168, 178}},  // 109
+    {"sphere", "intersect_sphere", 112, {168, 173, 178}},  // 110
+    {"texture", "in_repeats", 48, {173}},  // 111
+    {"texture", "layer_color", 192, {165, 111, 168, 113, 178}},  // 112
+    {"texture", "texture_color", 48, {130, 118, 168, 122, 116}},  // 113
     {"texture", "place_of", 8, {}},  // 114
-    {"texture", "footprint", 96, {154, 162, 163, 168}},  // 115
+    {"texture", "footprint", 96, {165, 173, 174, 179}},  // 115
     {"texture", "is_beyond (part)", 8, {}},  // 116
     {"texture_image", "neighbours", 8, {}},  // 117
-    {"texture_image", "image_color", 128, {119, 120, 163, 114}},  // 118
+    {"texture_image", "image_color", 128, {119, 120, 174, 114}},  // 118
     {"texture_image", "image_level", 208, {117, 120, 121}},  // 119
-    {"texture_image", "mix", 96, {154, 167}},  // 120
+    {"texture_image", "mix", 96, {165, 178}},  // 120
     {"texture_image", "texel", 8, {}},  // 121
-    {"texture_inclusion", "inclusion_color", 96, {154, 157, 124, 167}},  // 122
+    {"texture_inclusion", "inclusion_color", 96, {165, 168, 124, 178}},  // 122
     {"texture_inclusion", "largest_stretch", 8, {}},  // 123
     {"texture_inclusion", "inclusion_coverage", 1552, {125, 126, 114, 127, 128}},  // 124
     {"texture_inclusion", "outermost_point_cell", 48, {126, 128}},  // 125
@@ -176,7 +177,7 @@ const std::vector<MeasuredFunction> function_table{
     {"texture_inclusion", "Inclusion::is_open", 96, {123, 126, 128}},  // 127
     {"texture_inclusion", "read_vec2", 8, {}},  // 128
     {"texture_wood", "pxm::floor_integer", 8, {}},  // 129
-    {"texture_wood", "wood_color", 192, {154, 157, 132, 133, 163, 114, 136, 167}},  // 130
+    {"texture_wood", "wood_color", 192, {165, 168, 132, 133, 174, 114, 136, 178}},  // 130
     {"texture_wood", "ring_darkness", 48, {129}},  // 131
     {"texture_wood", "board_darkness", 48, {134, 135}},  // 132
     {"texture_wood", "share_in_stripes", 48, {137}},  // 133
@@ -186,35 +187,46 @@ const std::vector<MeasuredFunction> function_table{
     {"texture_wood", "share_in_stripes (part)", 32, {129}},  // 137
     {"texture_wood", "noise (part)", 16, {136}},  // 138
     {"trace", "PixelStore::byte", 8, {}},  // 139
-    {"trace", "render_pixel", 688, {154, 98, 89, 90, 67, 142, 143, 5, 37, 166, 61, 52}},  // 140
+    {"trace", "render_pixel", 688, {165, 98, 89, 90, 67, 142, 143, 5, 37, 177, 61, 52}},  // 140
     {"trace", "pixel_program", 976, {139, 140, 88, 49}},  // 141
-    {"trace", "Tracer::shade", 128, {154, 157, 91, 56}},  // 142
+    {"trace", "Tracer::shade", 128, {165, 168, 91, 56}},  // 142
     {"trace", "Tracer::is_most", 8, {}},  // 143
     {"trace_all", "PixelStore::byte", 8, {}},  // 144
-    {"trace_all", "Tracer::shade (part)", 256, {154, 157, 11, 107, 108, 91, 150, 56}},  // 145
+    {"trace_all", "Tracer::shade (part)", 256, {165, 168, 11, 107, 108, 91, 150, 56}},  // 145
     {"trace_all", "render_pixel", 3440, {148, 149, 5}},  // 146
     {"trace_all", "pixel_program", 976, {144, 146, 88, 148, 49}},  // 147
     {"trace_all", "Cell::Cell", 8, {}},  // 148
-    {"trace_all", "Tracer::look_along", 128, {154, 90, 150, 151, 152, 153, 166}},  // 149
+    {"trace_all", "Tracer::look_along", 128, {165, 90, 150, 151, 152, 153, 177}},  // 149
     {"trace_all", "Tracer::meets_plane", 8, {89}},  // 150
-    {"trace_all", "Tracer::look_through_covers", 560, {98, 10, 148, 152, 153, 37, 166, 52}},  // 151
-    {"trace_all", "Tracer::shade", 160, {154, 145, 71}},  // 152
+    {"trace_all", "Tracer::look_through_covers", 560, {98, 10, 148, 152, 153, 37, 177, 52}},  // 151
+    {"trace_all", "Tracer::shade", 160, {165, 145, 71}},  // 152
     {"trace_all", "Tracer::is_most", 8, {}},  // 153
-    {"vectors", "add_scaled", 8, {}},  // 154
-    {"vectors", "read_affine", 96, {156, 157}},  // 155
-    {"vectors", "read_linear", 32, {157}},  // 156
-    {"vectors", "read_vector", 8, {}},  // 157
-    {"vectors", "transform_ray", 48, {159, 161}},  // 158
-    {"vectors", "transform_point", 8, {}},  // 159
-    {"vectors", "transform_normal", 64, {162}},  // 160
-    {"vectors", "transform_direction", 8, {}},  // 161
-    {"vectors", "dot", 8, {}},  // 162
-    {"vectors", "scale", 8, {}},  // 163
-    {"vectors", "rebase", 80, {154, 162, 167}},  // 164
-    {"vectors", "compose", 48, {161}},  // 165
-    {"vectors", "point_at", 8, {154}},  // 166
-    {"vectors", "subtract", 8, {}},  // 167
-    {"vectors", "normalize", 64, {162, 163}},  // 168
+    {"trace_rays", "PixelStore::byte", 8, {}},  // 154
+    {"trace_rays", "first_cell", 16, {67, 61}},  // 155
+    {"trace_rays", "Tracer::shade (part)", 144, {165, 168, 91, 160, 56}},  // 156
+    {"trace_rays", "render_pixel", 848, {159, 5}},  // 157
+    {"trace_rays", "pixel_program", 976, {154, 157, 88, 49}},  // 158
+    {"trace_rays", "Tracer::look_along", 128, {165, 90, 161, 162, 163, 164, 177}},  // 159
+    {"trace_rays", "Tracer::light_share", 480, {155, 168, 107, 108, 161}},  // 160
+    {"trace_rays", "Tracer::meets_plane", 8, {89}},  // 161
+    {"trace_rays", "Tracer::look_at_first", 496, {155, 98, 163, 164, 37, 177, 52}},  // 162
+    {"trace_rays", "Tracer::shade", 160, {165, 156, 71}},  // 163
+    {"trace_rays", "Tracer::is_most", 8, {}},  // 164
+    {"vectors", "add_scaled", 8, {}},  // 165
+    {"vectors", "read_affine", 96, {167, 168}},  // 166
+    {"vectors", "read_linear", 32, {168}},  // 167
+    {"vectors", "read_vector", 8, {}},  // 168
+    {"vectors", "transform_ray", 48, {170, 172}},  // 169
+    {"vectors", "transform_point", 8, {}},  // 170
+    {"vectors", "transform_normal", 64, {173}},  // 171
+    {"vectors", "transform_direction", 8, {}},  // 172
+    {"vectors", "dot", 8, {}},  // 173
+    {"vectors", "scale", 8, {}},  // 174
+    {"vectors", "rebase", 80, {165, 173, 178}},  // 175
+    {"vectors", "compose", 48, {172}},  // 176
+    {"vectors", "point_at", 8, {165}},  // 177
+    {"vectors", "subtract", 8, {}},  // 178
+    {"vectors", "normalize", 64, {173, 174}},  // 179
 };
 // clang-format on
 

@@ -91,9 +91,6 @@ const std::vector<Feature> features{
     {simple + "texture g { ifs: gasket } plane { normal: 0,1,0 texture: g }",
      simple + "texture w { wood } texture g { ifs: gasket } plane { normal: 0,1,0 texture: w, g }",
      "texture_wood"},
-    {mirrored, mirrored + "render { covers: on }", "covers"},
-    {mirrored + "object haze { ifs: gasket sphere: (0,0,0) 2 }",
-     mirrored + "object haze { ifs: gasket sphere: (0,0,0) 2 opacity: 0.5 }", "covers"},
     {mirrored, mirrored + "light sun { direction: 1,1,-1 shadow: on }", "shadow"},
     {mirrored + lamps, mirrored + lamps + "light spot { position: 3,2,-3 shadow: on }",
      "shadow_point"},
@@ -121,7 +118,7 @@ TEST(Link, a_feature_adds_the_bytes_of_its_module) {
 TEST(Link, what_goes_beyond_the_first_cell_replaces_the_tracer) {
     const NodeProgram plain = linked(simple);
     const NodeProgram all = linked(mirrored);
-    EXPECT_EQ(added(plain, all), (Names{"trace_all", "mirror"}));
+    EXPECT_EQ(added(plain, all), (Names{"trace_rays", "mirror"}));
     EXPECT_EQ(added(all, plain), Names{"trace"});
 }
 
@@ -132,6 +129,16 @@ TEST(Link, another_kind_of_volume_replaces_the_module_of_the_first) {
             linked(gasket + key + fmt::format("render {{ volume: {} }}", kind));
         EXPECT_EQ(added(sphere, other), Names{kind});
         EXPECT_EQ(added(other, sphere), Names{"sphere"});
+    }
+}
+
+TEST(Link, covers_take_another_tracer_and_their_module) {
+    const std::string haze = "object haze { ifs: gasket sphere: (0,0,0) 2 ";
+    const NodeProgram rays = linked(mirrored + haze + "}");
+    for (const std::string& with :
+         {mirrored + haze + "} render { covers: on }", mirrored + haze + "opacity: 0.5 }"}) {
+        EXPECT_EQ(added(rays, linked(with)), (Names{"trace_all", "covers"})) << with;
+        EXPECT_EQ(added(linked(with), rays), Names{"trace_rays"}) << with;
     }
 }
 
