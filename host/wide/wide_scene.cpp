@@ -90,6 +90,14 @@ bool is_ball_or_box(const CompiledVolume& volume) {
 
 bool has_balls(const CompiledSet& set) { return set.volume.kind == kernels::Volume::sphere; }
 
+/// Grass and its kin: children tested together, without the culls in between, are hundreds of times
+/// more cells there, and a render does not end in comfortable time.
+bool squashes_much(const CompiledMap& map) {
+    constexpr double much = 16;  // times more in one direction than in another
+    const auto values = singular_values(map.map.linear).values;
+    return !(values[0] <= much * values[2]);
+}
+
 /// What of an object the wide engine cannot do, if anything.
 std::string why_not(const CompiledShape& shape) {
     if (shape.lifted) return "has singular maps, which were lifted";
@@ -99,6 +107,7 @@ std::string why_not(const CompiledShape& shape) {
     const auto balls = std::ranges::count_if(shape.sets, has_balls);
     if (balls != 0 && balls != std::ssize(shape.sets)) return "has balls and boxes side by side";
     if (shape.maps.size() > most_maps) return fmt::format("has more than {} maps", most_maps);
+    if (std::ranges::any_of(shape.maps, squashes_much)) return "has maps that squash very much";
     return "";
 }
 

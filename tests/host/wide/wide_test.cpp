@@ -68,6 +68,7 @@ TEST(WideChoice, says_why_not) {
     };
     EXPECT_EQ(reason(scene_of("tetra")), "");
     EXPECT_EQ(reason(scene_of("elm")), "");
+    EXPECT_EQ(reason(scene_of("grass")), "object \"grass\" has maps that squash very much");
     EXPECT_EQ(reason(scene_of("tetra"), Numeric::twice),
               "the numbers are double, and the wide engine's are float");
     EXPECT_EQ(reason(scene_of("tetra", "samples: 4")),
