@@ -50,9 +50,7 @@ SingularValues singular_values(const glm::dmat3& linear) {
     return result;
 }
 
-double smallest_singular_value(const Affine& map) {
-    return singular_values(map.linear).values[2];
-}
+double smallest_singular_value(const Affine& map) { return singular_values(map.linear).values[2]; }
 
 double lipschitz_constant(const Affine& map) {
     // Sec. 16.2: the largest eigenvalue of S, T = S Q, is the largest singular value.

@@ -15,8 +15,8 @@ namespace pxm::host {
 struct NodeNeeds {
     std::string model;  // of the machine that the bytes are for
     NodeProgram program;
-    MachineStatistics memory;  // its banks alone
-    bool over_limit = false;   // a memory would be too small
+    MachineStatistics memory;                // its banks alone
+    bool over_limit = false;                 // a memory would be too small
     std::vector<wide::ObjectMethod> native;  // how each object is met without the machine
 };
 

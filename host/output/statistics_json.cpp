@@ -91,9 +91,8 @@ std::string statistics_json(const Statistics& s) {
                        {"load", s.seconds.load},   {"render", s.seconds.render},
                        {"write", s.seconds.write}, {"total", s.seconds.total}};
     json["intersect"] = {{"method", s.intersect}, {"because", s.intersect_because}};
-    json["rays"] = {{"eye", s.rays.eye_rays},
-                    {"light", s.rays.light_rays},
-                    {"reflect", s.rays.reflect_rays}};
+    json["rays"] = {
+        {"eye", s.rays.eye_rays}, {"light", s.rays.light_rays}, {"reflect", s.rays.reflect_rays}};
     json["hits"] = s.rays.hits;
     json["volumes_tested"] = s.rays.volumes_tested;
     json["heap_overflows"] = s.rays.heap_overflows;
