@@ -123,43 +123,12 @@ template <NodeLike Node, class Real = typename Node::Real>
     return node.shape_real(object + ObjectRecord<real_words<Real>>::opacity);
 }
 
-/// The rule of covers for next_after: the children are looked at without going down.
-struct CoverRule {
-    SearchCounts& counts;
-
-    template <NodeLike Node, class Real = typename Node::Real>
-    [[nodiscard]] Shown<Real> operator()(Node& node, const Search<Real>& search,
-                                         const Cell<Real>& cell, Ending end) const noexcept {
-        using FollowSet = FollowSetRecord<real_words<Real>>;
-        const Real opacity = object_opacity(node, cell.object);
-        node.tally(Operation::compare_branch, 1);
-        if (end == Ending::terminal || opacity < Real(1)) return {opacity, 0};
-        const Real pixel = pixel_at(node, search, cell.object, cell.key);
-        MissedChildren<Node> missed(node, search, cell, cell_diameter(node, cell), pixel);
-        std::uint32_t list = cell.follow_set + FollowSet::maps;
-        for (std::uint32_t left = node.shape_word(cell.follow_set + FollowSet::map_count); left > 0;
-             --left) {
-            node.tally(Operation::loop_turn, 1);
-            const std::uint32_t map = node.shape_word(list++);
-            Cell<Real> child;
-            child_cell(node, search, cell, map, child);
-            ++counts.volumes_tested;
-            if (meet(node, search, child, cell.key, cell.exit)) {
-                missed.met();
-            } else {
-                missed.missed(map, child);
-            }
-        }
-        return missed.shown(pixel);
-    }
-};
-
-/// Step 2.4 with covers: pushes the children that the ray meets and says what shows of the parent.
-template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] Shown<Real> push_children_and_cover(Node& node, const Search<Real>& search,
-                                                  const Cell<Real>& parent, Real diameter,
-                                                  Real pixel, Heap<Node>& heap,
-                                                  SearchCounts& counts) noexcept {
+/// Step 2.4 with covers: calls `met(child)` for the children that the ray meets, and says what
+/// shows of the parent.
+template <NodeLike Node, class Met, class Real = typename Node::Real>
+[[nodiscard]] Shown<Real> cover_children(Node& node, const Search<Real>& search,
+                                         const Cell<Real>& parent, Real diameter, Real pixel,
+                                         SearchCounts& counts, const Met& met) noexcept {
     using FollowSet = FollowSetRecord<real_words<Real>>;
     const bool polar = is_polar(node, parent.object);
     MissedChildren<Node> missed(node, search, parent, diameter, pixel);
@@ -171,19 +140,45 @@ template <NodeLike Node, class Real = typename Node::Real>
         Cell<Real> child;
         child_cell(node, search, parent, map, child);
         ++counts.volumes_tested;
-        const bool met = meet(node, search, child, parent.key, parent.exit);
-        watch(node, met ? CellEvent::met : CellEvent::missed, child);
-        if (!met) {
+        const bool meets = meet(node, search, child, parent.key, parent.exit);
+        watch(node, meets ? CellEvent::met : CellEvent::missed, child);
+        if (!meets) {
             missed.missed(map, child);
             continue;
         }
         missed.met();
         if (polar) complete_child(node, parent, map, child);
-        heap.push(child);
-        ++counts.heap_pushes;
+        met(child);
     }
     return missed.shown(pixel);
 }
+
+/// What the heap does with children that the ray meets.
+template <NodeLike Node>
+struct PushChild {
+    Heap<Node>& heap;
+    SearchCounts& counts;
+    void operator()(const Cell<typename Node::Real>& child) const noexcept {
+        heap.push(child);
+        ++counts.heap_pushes;
+    }
+};
+
+/// The rule of covers for next_after: the children are looked at without going down.
+struct CoverRule {
+    SearchCounts& counts;
+
+    template <NodeLike Node, class Real = typename Node::Real>
+    [[nodiscard]] Shown<Real> operator()(Node& node, const Search<Real>& search,
+                                         const Cell<Real>& cell, Ending end) const noexcept {
+        const Real opacity = object_opacity(node, cell.object);
+        node.tally(Operation::compare_branch, 1);
+        if (end == Ending::terminal || opacity < Real(1)) return {opacity, 0};
+        return cover_children(node, search, cell, cell_diameter(node, cell),
+                              pixel_at(node, search, cell.object, cell.key), counts,
+                              [](const Cell<Real>&) noexcept {});
+    }
+};
 
 /// One walk along a ray: what came before it, when it is given up, and who looks on.
 template <class Real, class See>
@@ -234,8 +229,8 @@ template <NodeLike Node, class See, class Real = typename Node::Real>
         }
         if (end == Ending::terminal) continue;
         watch(node, CellEvent::expanded, cell);
-        const auto shown =
-            push_children_and_cover(node, search, cell, diameter, pixel, heap, counts);
+        const auto shown = cover_children(node, search, cell, diameter, pixel, counts,
+                                          PushChild<Node>{heap, counts});
         if (!translucent && !walk.tell(node, cell, shown)) return false;
     }
     return true;

@@ -6,6 +6,7 @@
 
 #include "host/render/engine.hpp"
 #include "host/render/gather.hpp"
+#include "host/render/instances.hpp"
 #include "host/render/native_node.hpp"
 
 namespace pxm::host {
@@ -173,19 +174,12 @@ std::string describe(const CompiledScene& scene, long x, long y) {
     return text + end_text(scene, block, result);
 }
 
-template <class Real>
-std::string describe_what_is_needed(const CompiledScene& scene, long x, long y) {
-    if (needs_plain_features(scene)) return describe<Real, kernels::plain_features>(scene, x, y);
-    return needs_covers(scene) ? describe<Real, kernels::all_features>(scene, x, y)
-                               : describe<Real, kernels::ray_features>(scene, x, y);
-}
-
 }  // namespace
 
 std::string describe_pixel(const CompiledScene& scene, Numeric numeric, long x, long y) {
-    if (numeric == Numeric::twice) return describe_what_is_needed<double>(scene, x, y);
-    if (numeric == Numeric::dsp32) return describe_what_is_needed<dsp32::Float>(scene, x, y);
-    return describe_what_is_needed<float>(scene, x, y);
+    return with_instance(scene, numeric, [&]<class Real, kernels::Features features>() {
+        return describe<Real, features>(scene, x, y);
+    });
 }
 
 }  // namespace pxm::host

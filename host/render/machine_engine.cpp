@@ -6,6 +6,7 @@
 #include "host/error.hpp"
 #include "host/render/engine.hpp"
 #include "host/render/gather.hpp"
+#include "host/render/instances.hpp"
 #include "pxm/cost.hpp"
 #include "pxm/machine.hpp"
 
@@ -139,29 +140,13 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     return result;
 }
 
-template <class Real>
-EngineResult run_what_is_needed(const CompiledScene& scene, const EngineChoice& choice,
-                                const RunControl& control) {
-    if (needs_plain_features(scene)) {
-        return run<Real, kernels::plain_features>(scene, choice, control);
-    }
-    return needs_covers(scene) ? run<Real, kernels::all_features>(scene, choice, control)
-                               : run<Real, kernels::ray_features>(scene, choice, control);
-}
-
 }  // namespace
 
 EngineResult run_on_machine(const CompiledScene& scene, const EngineChoice& choice,
                             const RunControl& control) {
-    switch (choice.numeric) {
-        case Numeric::twice:
-            return run_what_is_needed<double>(scene, choice, control);
-        case Numeric::dsp32:
-            return run_what_is_needed<dsp32::Float>(scene, choice, control);
-        case Numeric::single:
-            break;
-    }
-    return run_what_is_needed<float>(scene, choice, control);
+    return with_instance(scene, choice.numeric, [&]<class Real, kernels::Features features>() {
+        return run<Real, features>(scene, choice, control);
+    });
 }
 
 }  // namespace pxm::host
