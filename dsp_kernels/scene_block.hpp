@@ -70,16 +70,18 @@ struct HeaderRecord : Record<R, 19, 26> {
 
 /// One object: an instance of a linear fractal.
 template <std::uint32_t R>
-struct ObjectRecord : Record<R, 5, 29> {
-    using Base = Record<R, 5, 29>;
+struct ObjectRecord : Record<R, 6, 29> {
+    using Base = Record<R, 6, 29>;
     static constexpr std::uint32_t start_set = Base::integer(0);  // address of a follow set
     static constexpr std::uint32_t lipschitz = Base::integer(1);
-    static constexpr std::uint32_t levels = Base::integer(2);        // or unlimited_levels
-    static constexpr std::uint32_t symbol_bits = Base::integer(3);   // of a map in a cell's word
-    static constexpr std::uint32_t lifted = Base::integer(4);        // 1: has lifted singular maps
-    static constexpr std::uint32_t inverse = Base::real(0);          // M^-1 of the instance
-    static constexpr std::uint32_t linear = Base::real(12);          // T of the instance
-    static constexpr std::uint32_t constant = Base::real(21);        // its Lipschitz constant
+    static constexpr std::uint32_t levels = Base::integer(2);       // or unlimited_levels
+    static constexpr std::uint32_t symbol_bits = Base::integer(3);  // of a map in a cell's word
+    static constexpr std::uint32_t lifted = Base::integer(4);       // 1: has lifted singular maps
+    static constexpr std::uint32_t enclosing = Base::integer(5);    // a record like this, of a cell
+                                                                    // around it that shades; or 0
+    static constexpr std::uint32_t inverse = Base::real(0);         // M^-1 of the instance
+    static constexpr std::uint32_t linear = Base::real(12);         // T of the instance
+    static constexpr std::uint32_t constant = Base::real(21);       // its Lipschitz constant
     static constexpr std::uint32_t smallest_pixel = Base::real(22);  // p never falls below
     static constexpr std::uint32_t color = Base::real(23);
     static constexpr std::uint32_t diffuse = Base::real(26);  // k_d of Eq. 17.1

@@ -95,6 +95,28 @@ template <NodeLike Node, class Real = typename Node::Real>
                   inverse));
 }
 
+/// The cells around an object that only shade what is inside: `visit` as below for those that the
+/// ray enters. Whether there are any.
+template <NodeLike Node, class Visit, class Real = typename Node::Real>
+bool walk_enclosing(Node& node, const Search<Real>& search, std::uint32_t object, Cell<Real>& cell,
+                    const Visit& visit) noexcept {
+    using Object = ObjectRecord<real_words<Real>>;
+    bool visited = false;
+    node.tally(Operation::integer, 1);
+    while ((object = node.shape_word(object + Object::enclosing)) != 0) {
+        node.tally(Operation::loop_turn, 1);
+        outermost_cell(node, search, object, cell);
+        approach(node, cell);
+        const auto inside = intersect_volume(node, cell.ray, cell.follow_set);
+        node.tally(Operation::compare_branch, 1);
+        if (!inside || !(search.start < inside->entry)) continue;
+        const Linear<Real> inverse = read_linear(node, object + Object::inverse);
+        visit(cell, cell_normal(node, cell, inside->entry, Side::entry, inverse), inside->entry);
+        visited = true;
+    }
+    return visited;
+}
+
 /// Walks from the outermost cell to the one that was seen. `visit(cell, normal, t)` is
 /// called for each cell on the way that gives a normal, the world's unit normal where the ray
 /// enters it, and where that is. `facet` wants the last cell's only. A cell around the ray's start
@@ -110,8 +132,8 @@ Vec3<Real> walk_path(Node& node, const Sighting<Real>& seen, ShadingMode mode,
     Vec3<Real> color = read_vector(node, hit.object + Object::color);
     Linear<Real> inverse = read_linear(node, hit.object + Object::inverse);
     const bool polar = is_polar(node, hit.object);
-    bool visited = false;
     Cell<Real> cell;
+    bool visited = walk_enclosing(node, seen.search, hit.object, cell, visit);
     outermost_cell(node, seen.search, hit.object, cell);
     while (true) {
         node.tally(Operation::loop_turn, 1);
@@ -148,6 +170,12 @@ Vec3<Real> walk_path(Node& node, const Sighting<Real>& seen, ShadingMode mode,
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Real outermost_diameter(Node& node, const Search<Real>& search,
                                       std::uint32_t object) noexcept {
+    using Object = ObjectRecord<real_words<Real>>;
+    node.tally(Operation::integer, 1);
+    while (const std::uint32_t around = node.shape_word(object + Object::enclosing)) {
+        node.tally(Operation::loop_turn, 1);
+        object = around;
+    }
     Cell<Real> cell;
     outermost_cell(node, search, object, cell);
     return cell_diameter(node, cell);

@@ -91,6 +91,7 @@ std::string statistics_json(const Statistics& s) {
                        {"load", s.seconds.load},   {"render", s.seconds.render},
                        {"write", s.seconds.write}, {"total", s.seconds.total}};
     json["intersect"] = {{"method", s.intersect}, {"because", s.intersect_because}};
+    json["rerooted"] = {{"objects", s.rerooted.objects}, {"levels", s.rerooted.levels}};
     json["rays"] = {
         {"eye", s.rays.eye_rays}, {"light", s.rays.light_rays}, {"reflect", s.rays.reflect_rays}};
     json["hits"] = s.rays.hits;

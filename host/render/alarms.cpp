@@ -41,6 +41,7 @@ Precision precision_of(Numeric numeric) {
 
 /// An object's outermost volume, seen from the eye, in scene units.
 struct Place {
+    int origin = 0;       // number of the object in the scene
     double distance = 0;  // of its middle
     double diameter = 0;
 };
@@ -49,8 +50,9 @@ std::vector<Place> places_of(const CompiledScene& scene) {
     std::vector<Place> places;
     for (const CompiledObject& object : scene.objects) {
         const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
-        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(shape.start)].volume;
-        places.push_back({glm::length(object.instance.point(volume.center)), object.diameter});
+        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(object.start)].volume;
+        places.push_back(
+            {object.origin, glm::length(object.instance.point(volume.center)), object.diameter});
     }
     return places;
 }
@@ -91,6 +93,19 @@ std::uint8_t alarms_of_misses(const CompiledScene& scene, const Precision& preci
     return alarms;
 }
 
+/// Alarms of a pixel that shows one of the objects that a scene's object became, whichever it is.
+std::uint8_t alarms_of_hit(const CompiledScene& scene, const Precision& precision,
+                           const std::vector<Place>& places, const PixelRecord& pixel) {
+    const double distance = double{pixel.z} / scene.unit;
+    std::uint8_t alarms = 0;
+    for (const Place& place : places) {
+        const bool there = std::abs(distance - place.distance) <= 0.51 * place.diameter;
+        if (place.origin == pixel.object && there)
+            alarms |= look(scene, precision, distance, place);
+    }
+    return alarms;
+}
+
 bool is_finite(const PixelRecord& pixel) {
     const auto all = [](const float(&v)[3]) {
         return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
@@ -100,12 +115,11 @@ bool is_finite(const PixelRecord& pixel) {
 
 void mark_pixels(const CompiledScene& scene, const Precision& precision, Frame& frame) {
     const std::vector<Place> places = places_of(scene);
+    const std::size_t objects = object_count(scene);
     const std::uint8_t missed = alarms_of_misses(scene, precision, places, frame);
     for (PixelRecord& pixel : frame.pixels) {
-        const auto object = static_cast<std::size_t>(pixel.object);
-        pixel.alarms |= pixel.level < 0 || object >= places.size()
-                            ? missed
-                            : look(scene, precision, double{pixel.z} / scene.unit, places[object]);
+        const bool hit = pixel.level >= 0 && pixel.object < static_cast<int>(objects);
+        pixel.alarms |= hit ? alarms_of_hit(scene, precision, places, pixel) : missed;
         if (!is_finite(pixel)) pixel.alarms |= alarm_not_finite;
     }
 }

@@ -15,6 +15,7 @@
 #include "host/render/lifted_fractal.hpp"
 #include "host/render/lights.hpp"
 #include "host/render/method.hpp"
+#include "host/render/reroot.hpp"
 #include "host/render/samples.hpp"
 #include "host/render/shape.hpp"
 #include "host/render/view.hpp"
@@ -80,11 +81,12 @@ kernels::ShadingMode shading_mode(Shading shading) {
 /// Does the work of compile() once every ifs block is known to be right.
 class Compiler {
   public:
-    Compiler(const Scene& scene, double zoom, Diagnostics& diagnostics)
+    Compiler(const Scene& scene, double zoom, Diagnostics& diagnostics, NearCells near_cells)
         : scene_(scene),
           render_(scene.render.value_or(RenderBlock{})),
           zoom_(zoom),
-          diagnostics_(diagnostics) {}
+          diagnostics_(diagnostics),
+          near_cells_(near_cells) {}
 
     CompiledScene run() {
         make_fractals();
@@ -96,11 +98,12 @@ class Compiler {
         if (diagnostics_.has_errors()) return {};
         lift_to_pixels(objects);
         out_.method = chosen_method(render_);
-        for (const Placed& object : objects) add_object(object);
-        compile_floor(scene_, view_, fractals_, out_, diagnostics_);
-        out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
         set_sampling();
+        for (const Placed& object : objects) add_object(object);
+        if (near_cells_ == NearCells::replaced) reroot(roots_, view_, rays(), out_);
+        compile_floor(scene_, view_, fractals_, out_, diagnostics_);
+        out_.lights = compile_lights(scene_, view_.eye, out_.unit);
         if (out_.method == kernels::Method::fast) require_solid(render_, out_, diagnostics_);
         out_.heap = render_.heap.value_or(out_.heap);
         out_.ambient = render_.ambient.value_or(out_.ambient);
@@ -158,6 +161,16 @@ class Compiler {
         out_.camera = compile_view(view_, out_.size, out_.unit);
     }
 
+    /// Whether rays go on from what the eye sees.
+    [[nodiscard]] Rays rays() const {
+        const bool shadows = std::ranges::any_of(
+            scene_.lights, [](const LightBlock& light) { return light.shadow.value_or(false); });
+        const bool mirrors =
+            std::ranges::any_of(scene_.planes, [](const PlaneBlock& p) { return p.reflect > 0; }) ||
+            needs_mirrors(out_);
+        return shadows || mirrors ? Rays::from_everywhere : Rays::from_the_eye;
+    }
+
     void set_sampling() {
         out_.detail = render_.detail.value_or(out_.detail);
         out_.fade = out_.detail;
@@ -196,12 +209,16 @@ class Compiler {
         const Frame frame = frame_around(object.own_ball());
         CompiledObject result;
         result.name = object.block->name;
+        result.origin = static_cast<int>(out_.objects.size());
         result.shape = object.fractal == nullptr ? shape_of_volume(*object.block, frame)
                                                  : shape_of_fractal(object, frame);
         const CompiledShape& shape = out_.shapes[static_cast<std::size_t>(result.shape)];
         if (out_.method == kernels::Method::fast) {
             require_spheres(*object.block, shape, diagnostics_);
         }
+        const bool stays = object.fractal == nullptr || object.fractal->lifted;
+        roots_.push_back({stays ? nullptr : &object.fractal->rifs, frame, object.instance});
+        result.start = shape.start;
         result.instance.linear = object.instance.linear * (frame.scale / out_.unit);
         result.instance.translation = (object.instance.point(frame.center) - view_.eye) / out_.unit;
         result.constant = constant_by(shape.lipschitz, result.instance);
@@ -293,16 +310,19 @@ class Compiler {
     RenderBlock render_;
     double zoom_;
     Diagnostics& diagnostics_;
+    NearCells near_cells_;
     std::map<std::string, Fractal> fractals_;
     std::vector<ChosenVolumes> chosen_;
+    std::vector<Root> roots_;  // of the objects
     View view_;
     CompiledScene out_;
 };
 
 }  // namespace
 
-CompiledScene compile(const Scene& scene, double zoom, Diagnostics& diagnostics) {
-    return Compiler(scene, zoom, diagnostics).run();
+CompiledScene compile(const Scene& scene, double zoom, Diagnostics& diagnostics,
+                      NearCells near_cells) {
+    return Compiler(scene, zoom, diagnostics, near_cells).run();
 }
 
 }  // namespace pxm::host

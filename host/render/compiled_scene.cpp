@@ -4,6 +4,19 @@
 
 namespace pxm::host {
 
+Rerooted rerooted(const CompiledScene& scene) {
+    Rerooted result;
+    for (const CompiledObject& object : scene.objects) {
+        result.objects += object.prefix.empty() ? 0 : 1;
+        result.levels = std::max(result.levels, object.prefix.size());
+    }
+    return result;
+}
+
+std::size_t object_count(const CompiledScene& scene) {
+    return scene.objects.empty() ? 0 : static_cast<std::size_t>(scene.objects.back().origin) + 1;
+}
+
 bool needs_covers(const CompiledScene& scene) {
     return scene.covers || std::ranges::any_of(scene.objects, [](const CompiledObject& object) {
                return object.opacity < 1;

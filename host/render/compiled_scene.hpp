@@ -58,10 +58,16 @@ struct CompiledShape {
     kernels::Lipschitz lipschitz = kernels::Lipschitz::product;
 };
 
+/// An object, or a cell of one that is an object of its own because the eye is near it
+/// (host/render/reroot).
 struct CompiledObject {
     std::string name;
+    int origin = 0;  // number of the object in the scene
     int shape = 0;
-    Affine instance;  // shape to scene units
+    int start = 0;            // follow set of its outermost maps
+    std::vector<int> prefix;  // the maps that lead to the cell, outermost first
+    int enclosing = -1;       // the innermost cell around it that gives a normal, if any
+    Affine instance;          // shape to scene units
     double constant = 0;
     double diameter = 0;  // of the outermost volume, scene units
     glm::dvec3 color{0.0};
@@ -69,6 +75,14 @@ struct CompiledObject {
     double opacity = 1;  // of its volumes
     double reflect = 0;  // share of a mirror's image
     std::uint32_t levels = kernels::unlimited_levels;
+};
+
+/// A cell of an object whose cells became objects of their own. Nothing is looked for in it; rays
+/// that enter it shade what they meet inside it by its normal, too (Ch. 17).
+struct CompiledEnclosure {
+    int enclosing = -1;     // the next one around it; the last is the object's outermost cell
+    Affine inverse;         // from scene units
+    CompiledVolume volume;  // its diameter in scene units
 };
 
 struct CompiledLight {
@@ -93,6 +107,7 @@ struct CompiledScene {
     CropWindow crop;
     std::vector<CompiledShape> shapes;
     std::vector<CompiledObject> objects;
+    std::vector<CompiledEnclosure> enclosures;
     std::vector<CompiledPlane> planes;
     std::vector<CompiledTexture> textures;     // those that planes use
     std::vector<std::uint32_t> texture_words;  // the texture memory of every node
@@ -111,6 +126,16 @@ struct CompiledScene {
     glm::dvec3 background{0.02, 0.02, 0.03};
     double unit = 1;  // world length of one scene unit
 };
+
+/// The objects that are cells of a scene's objects, and the longest word that leads to one.
+struct Rerooted {
+    std::size_t objects = 0;
+    std::size_t levels = 0;
+};
+[[nodiscard]] Rerooted rerooted(const CompiledScene& scene);
+
+/// How many objects the scene has itself, however many their cells have become.
+[[nodiscard]] std::size_t object_count(const CompiledScene& scene);
 
 /// What the tracer must do for a scene.
 [[nodiscard]] bool needs_covers(const CompiledScene& scene);   // or has translucent objects

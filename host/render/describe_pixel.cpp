@@ -74,6 +74,9 @@ std::string word_text(const CompiledScene& scene, const std::vector<std::uint32_
     const CompiledObject& object = scene.objects[object_index<Real>(block, cell.object)];
     const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
     std::string text = object.name + ":";
+    for (const int symbol : object.prefix) {
+        text += " " + shape.map_names[static_cast<std::size_t>(symbol)];
+    }
     for (std::uint32_t i = 0; i < cell.level; ++i) {
         text += " " + shape.map_names[cell.word.get(i, cell.bits)];
     }
@@ -87,6 +90,7 @@ std::string event_text(const CompiledScene& scene, const std::vector<std::uint32
                        const typename WatchedNode<Real>::Event& event) {
     using enum kernels::CellEvent;
     const kernels::Cell<Real>& cell = event.cell;
+    const std::size_t prefix = scene.objects[object_index<Real>(block, cell.object)].prefix.size();
     const auto world = [&](Real length) { return to_double(length) * scene.unit; };
     const bool interval = event.event != missed;
     const bool sized = event.event == expanded || event.event == terminal || event.event == capped;
@@ -96,7 +100,7 @@ std::string event_text(const CompiledScene& scene, const std::vector<std::uint32
     const double diameter = sized ? world(kernels::cell_diameter(node, cell)) : 0;
     const double p = sized ? world(kernels::pixel_at(node, search, cell.object, cell.key)) : 0;
     return fmt::format("{:<14} {:>5} {:>14} {:>14} {:>12} {:>12}  {}\n", name_of(event.event),
-                       cell.level, number(interval, world(cell.key), 9),
+                       prefix + cell.level, number(interval, world(cell.key), 9),
                        number(interval, world(cell.exit), 9), number(sized, diameter, 6),
                        number(sized, p, 6), word_text(scene, block, cell));
 }

@@ -11,14 +11,27 @@
 
 namespace pxm::host {
 
-/// A 24-bit hash of a cell's word (FNV-1a over its symbols), never 0: exact in a float channel.
-template <class Real>
-[[nodiscard]] std::uint32_t word_hash(const kernels::Cell<Real>& cell) {
+/// FNV-1a over the bytes of a symbol and one that ends it.
+[[nodiscard]] inline std::uint32_t hash_symbol(std::uint32_t hash, std::uint32_t symbol) {
+    for (++symbol; symbol != 0; symbol >>= 8) hash = (hash ^ (symbol & 0xFF)) * 0x0100'0193;
+    return (hash ^ 0xFF) * 0x0100'0193;
+}
+
+/// The unfinished hash of a word.
+[[nodiscard]] inline std::uint32_t hash_symbols(const std::vector<int>& word) {
     std::uint32_t hash = 0x811C'9DC5;
+    for (const int symbol : word) hash = hash_symbol(hash, static_cast<std::uint32_t>(symbol));
+    return hash;
+}
+
+/// A 24-bit hash of a cell's word (FNV-1a over its symbols), never 0: exact in a float channel.
+/// The word is what leads from a scene's object to `object`, and on to the cell.
+template <class Real>
+[[nodiscard]] std::uint32_t word_hash(const CompiledObject& object,
+                                      const kernels::Cell<Real>& cell) {
+    std::uint32_t hash = hash_symbols(object.prefix);
     for (std::uint32_t i = 0; i < cell.level; ++i) {
-        std::uint32_t symbol = cell.word.get(i, cell.bits) + 1;
-        for (; symbol != 0; symbol >>= 8) hash = (hash ^ (symbol & 0xFF)) * 0x0100'0193;
-        hash = (hash ^ 0xFF) * 0x0100'0193;
+        hash = hash_symbol(hash, cell.word.get(i, cell.bits));
     }
     const std::uint32_t folded = (hash >> 24 ^ hash) & 0x00FF'FFFF;
     return folded == 0 ? 1 : folded;
@@ -46,15 +59,16 @@ void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& 
         pixel.normal[2] = number(result.normal.z);
     }
     if (plane) {
-        pixel.object = static_cast<std::int32_t>(scene.objects.size() +
+        pixel.object = static_cast<std::int32_t>(object_count(scene) +
                                                  plane_index<Real>(block, result.floor.plane));
         pixel.level = 0;
     }
     if (cell) {
-        pixel.object =
-            static_cast<std::int32_t>(object_index<Real>(block, result.found.cell.object));
-        pixel.level = result.found.cell.level;
-        pixel.word = word_hash(result.found.cell);
+        const CompiledObject& object =
+            scene.objects[object_index<Real>(block, result.found.cell.object)];
+        pixel.object = object.origin;
+        pixel.level = static_cast<std::int32_t>(object.prefix.size() + result.found.cell.level);
+        pixel.word = word_hash(object, result.found.cell);
     }
     if (result.counts.capped > 0) pixel.alarms |= alarm_capped;
     ++rays.pixels;

@@ -19,10 +19,11 @@ namespace {
 constexpr std::size_t named_parts = 4;  // of a program that does not fit
 
 bool any_volume(const CompiledScene& scene, kernels::Volume kind) {
-    return std::ranges::any_of(scene.shapes, [kind](const CompiledShape& shape) {
-        return std::ranges::any_of(
-            shape.sets, [kind](const CompiledSet& set) { return set.volume.kind == kind; });
-    });
+    const auto is_kind = [kind](const auto& cell) { return cell.volume.kind == kind; };
+    return std::ranges::any_of(scene.enclosures, is_kind) ||
+           std::ranges::any_of(scene.shapes, [&](const CompiledShape& shape) {
+               return std::ranges::any_of(shape.sets, is_kind);
+           });
 }
 
 bool any_light(const CompiledScene& scene, kernels::LightKind kind) {

@@ -155,6 +155,7 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     statistics.threads = request.threads;
     statistics.intersect = word_of(intersect_words, intersect.method);
     statistics.intersect_because = intersect.because;
+    statistics.rerooted = rerooted(prepared.compiled);
     statistics.rays = run.rays;
     statistics.scene_block_words = run.scene_block_words;
     statistics.scene_block_hash = run.scene_block_hash;

@@ -41,6 +41,11 @@ void write_header(BlockWriter<Real>& block, const CompiledScene& scene) {
     block.vector(Header::background, scene.background);
 }
 
+/// The address with that index; 0 if there is none.
+std::uint32_t at_or_none(const std::vector<std::uint32_t>& addresses, int index) {
+    return index < 0 ? 0 : addresses[static_cast<std::size_t>(index)];
+}
+
 /// Bits that number `maps` maps, at least one.
 std::uint32_t symbol_bits(std::size_t maps) {
     return maps < 3 ? 1 : static_cast<std::uint32_t>(std::bit_width(maps - 1));
@@ -93,9 +98,9 @@ void write_volume(BlockWriter<Real>& block, std::uint32_t address, const Compile
     }
 }
 
-/// Writes a shape's maps and follow sets; returns the address of its start set.
+/// Writes a shape's maps and follow sets; returns the addresses of the sets.
 template <class Real>
-std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) {
+std::vector<std::uint32_t> write_shape(BlockWriter<Real>& block, const CompiledShape& shape) {
     using Map = kernels::MapRecord<real_words<Real>>;
     using FollowSet = kernels::FollowSetRecord<real_words<Real>>;
     const std::uint32_t maps = block.grow(shape.maps.size() * Map::words);
@@ -128,18 +133,19 @@ std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape) 
         block.vector(address + Map::color, glm::dvec3{map.color});
         block.real(address + Map::color + 3 * real_words<Real>, map.color.a);
     }
-    return sets[static_cast<std::size_t>(shape.start)];
+    return sets;
 }
 
 template <class Real>
 void write_object(BlockWriter<Real>& block, std::uint32_t address, const CompiledObject& object,
-                  const CompiledShape& shape, std::uint32_t start_set) {
+                  const CompiledShape& shape, std::uint32_t start_set, std::uint32_t enclosing) {
     using Object = kernels::ObjectRecord<real_words<Real>>;
     block.integer(address + Object::start_set, start_set);
     block.integer(address + Object::lipschitz, static_cast<std::uint32_t>(shape.lipschitz));
     block.integer(address + Object::levels, object.levels);
     block.integer(address + Object::symbol_bits, symbol_bits(shape.maps.size()));
     block.integer(address + Object::lifted, shape.lifted ? 1 : 0);
+    block.integer(address + Object::enclosing, enclosing);
     block.affine(address + Object::inverse, inverse(object.instance));
     block.linear(address + Object::linear, object.instance.linear);
     block.real(address + Object::constant, object.constant);
@@ -148,6 +154,29 @@ void write_object(BlockWriter<Real>& block, std::uint32_t address, const Compile
     block.real(address + Object::diffuse, object.diffuse);
     block.real(address + Object::opacity, object.opacity);
     block.real(address + Object::reflect, object.reflect);
+}
+
+/// Writes cells that only shade, as objects that nothing is looked for in; returns where each is.
+template <class Real>
+std::vector<std::uint32_t> write_enclosures(BlockWriter<Real>& block,
+                                            const std::vector<CompiledEnclosure>& cells) {
+    using Object = kernels::ObjectRecord<real_words<Real>>;
+    using FollowSet = kernels::FollowSetRecord<real_words<Real>>;
+    std::vector<std::uint32_t> addresses;
+    for (const CompiledEnclosure& cell : cells) {
+        const std::uint32_t address = block.grow(Object::words);
+        const std::uint32_t set = block.grow(FollowSet::words);
+        write_volume(block, set, cell.volume);
+        block.integer(address + Object::start_set, set);
+        block.integer(address + Object::lipschitz,
+                      static_cast<std::uint32_t>(kernels::Lipschitz::product));
+        block.integer(address + Object::symbol_bits, 1);
+        block.integer(address + Object::enclosing, at_or_none(addresses, cell.enclosing));
+        block.affine(address + Object::inverse, cell.inverse);
+        block.real(address + Object::constant, 1);
+        addresses.push_back(address);
+    }
+    return addresses;
 }
 
 template <class Real>
@@ -198,11 +227,14 @@ std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
     std::uint32_t object_address = block.grow(scene.objects.size() * Object::words);
     block.integer(Header::objects, object_address);
     block.integer(Header::object_count, static_cast<std::uint32_t>(scene.objects.size()));
-    std::vector<std::uint32_t> start_sets;
-    for (const CompiledShape& shape : scene.shapes) start_sets.push_back(write_shape(block, shape));
+    std::vector<std::vector<std::uint32_t>> sets;
+    for (const CompiledShape& shape : scene.shapes) sets.push_back(write_shape(block, shape));
+    const std::vector<std::uint32_t> enclosures = write_enclosures(block, scene.enclosures);
     for (const CompiledObject& object : scene.objects) {
         const auto shape = static_cast<std::size_t>(object.shape);
-        write_object(block, object_address, object, scene.shapes[shape], start_sets[shape]);
+        write_object(block, object_address, object, scene.shapes[shape],
+                     sets[shape][static_cast<std::size_t>(object.start)],
+                     at_or_none(enclosures, object.enclosing));
         object_address += Object::words;
     }
     write_lights(block, scene);

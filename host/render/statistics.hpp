@@ -77,6 +77,7 @@ struct Statistics {
     PhaseSeconds seconds;
     std::string intersect;          // "heap" or "wide"
     std::string intersect_because;  // why this one
+    Rerooted rerooted;
     RayStatistics rays;
     std::vector<Alarm> alarms;
     std::uint64_t scene_block_words = 0;

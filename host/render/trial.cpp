@@ -55,6 +55,7 @@ double trial_cost(const CompiledShape& shape, std::uint32_t levels) {
     object.constant = 1;
     object.diameter = 2;
     object.levels = levels;
+    object.start = shape.start;
     scene.objects.push_back(object);
     double tests = 0;
     for (const glm::dvec3& direction : directions) {

@@ -14,6 +14,10 @@ constexpr double margin = 1.1;  // a tenth around the ball
 
 glm::dvec3 value_of(const DecimalVec3& v) { return {v[0].value, v[1].value, v[2].value}; }
 
+bool is_long(const std::optional<DecimalVec3>& v) {
+    return v && std::ranges::any_of(*v, [](const Decimal& x) { return host::is_long(x); });
+}
+
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// The distance at which a ball fits into a view of that half width, in both directions.
@@ -38,7 +42,12 @@ View make_view(const CameraBlock& camera, const PixelSize& size, const Ball& bal
         const glm::dvec3 from = glm::normalize(glm::dvec3{0.4, 0.5, -1});
         view.eye = look + from * fitting_distance(radius, view.half_width, size);
     }
-    const glm::dvec3 ahead = look - view.eye;
+    const PreciseVec3 exact_look = camera.look ? precise(*camera.look) : precise(look);
+    const PreciseVec3 exact_ahead =
+        subtract(exact_look, camera.eye ? precise(*camera.eye) : precise(view.eye));
+    // Of two places that agree in all digits of a double, the difference is in the others.
+    const glm::dvec3 ahead =
+        is_long(camera.eye) || is_long(camera.look) ? rounded(exact_ahead) : look - view.eye;
     view.forward = glm::length(ahead) > 0 ? glm::normalize(ahead) : glm::dvec3{0, 0, 1};
     glm::dvec3 up = camera.up.value_or(glm::dvec3{0, 1, 0});
     if (glm::length(glm::cross(up, view.forward)) < 1e-9 * glm::length(up)) up = {0, 0, 1};
@@ -46,9 +55,12 @@ View make_view(const CameraBlock& camera, const PixelSize& size, const Ball& bal
     view.up = glm::cross(view.forward, view.right);
     if (view.orthographic) {
         view.half_width = *camera.orthographic / 2 / zoom;
+        view.exact_eye = precise(view.eye);
     } else {
         view.eye = look - ahead / zoom;
+        view.exact_eye = subtract(exact_look, scaled(exact_ahead, 1 / Precise(zoom)));
     }
+    view.look_distance = glm::length(ahead) / zoom;
     return view;
 }
 

@@ -5,6 +5,7 @@
 
 #include "host/fractal/bounds.hpp"
 #include "host/render/compiled_scene.hpp"
+#include "host/render/precise.hpp"
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {
@@ -12,6 +13,8 @@ namespace pxm::host {
 /// A camera in world units.
 struct View {
     glm::dvec3 eye{0.0};
+    PreciseVec3 exact_eye;
+    double look_distance = 0;           // from the eye to the look point
     glm::dvec3 forward{0.0, 0.0, 1.0};  // unit vectors of a left-handed frame
     glm::dvec3 right{1.0, 0.0, 0.0};
     glm::dvec3 up{0.0, 1.0, 0.0};

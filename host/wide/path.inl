@@ -48,7 +48,7 @@ inline Path& new_path(const WideScene& scene, Workspace& work, int object, std::
     path.shared = static_cast<int>(level) + 1;
     path.object = object;
     path.color = scene.objects[static_cast<std::size_t>(object)].color;
-    path.hash = 0x811C'9DC5;
+    path.hash = scene.objects[static_cast<std::size_t>(object)].hash;
     return path;
 }
 

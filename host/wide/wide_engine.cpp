@@ -73,8 +73,9 @@ class TileRenderer {
             std::ranges::copy(shaded.normal, pixel.normal);
             pixel.alpha = 1;
             pixel.z = static_cast<float>(static_cast<double>(shaded.t) * wide_.unit);
-            pixel.object = shaded.object;
-            pixel.level = shaded.level;
+            const CompiledObject& object = scene_.objects[static_cast<std::size_t>(shaded.object)];
+            pixel.object = object.origin;
+            pixel.level = static_cast<std::int32_t>(object.prefix.size()) + shaded.level;
             pixel.word = shaded.word;
             ++rays.hits;
         }

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/fractal/lipschitz.hpp"
+#include "host/render/gather.hpp"
 #include "host/render/scene_block.hpp"
 #include "host/wide/homotheties.hpp"
 
@@ -125,6 +126,8 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     });
     if (points) return "point lights are the clear kernels'";
     if (scene.samples.size() > 1) return "several samples a pixel are the clear kernels'";
+    if (!scene.enclosures.empty())
+        return "cells around the eye's surroundings are the clear kernels'";
     for (const CompiledObject& object : scene.objects) {
         const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
         const std::string reason = why_not(shape);
@@ -137,6 +140,7 @@ std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
     const std::string reason = why_not_wide(scene, Numeric::single);
     std::vector<ObjectMethod> methods;
     for (const CompiledObject& object : scene.objects) {
+        if (object.origin < static_cast<int>(methods.size())) continue;
         const std::size_t maps = scene.shapes[static_cast<std::size_t>(object.shape)].maps.size();
         if (!reason.empty()) {
             methods.push_back({object.name, "heap", reason});
@@ -171,16 +175,17 @@ WideScene make_wide_scene(const CompiledScene& scene) {
     for (const CompiledObject& object : scene.objects) {
         const auto index = static_cast<std::size_t>(object.shape);
         const CompiledShape& shape = scene.shapes[index];
-        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(shape.start)].volume;
+        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(object.start)].volume;
         WideObject result;
         result.to_unit = into_unit(inverse(object.instance), volume);
         result.linear = object.instance.linear;
-        result.set = first_sets[index] + shape.start;
+        result.set = first_sets[index] + object.start;
         result.spheres = volume.kind == kernels::Volume::sphere;
         result.constant = object.constant;
         result.diameter = volume.diameter;
         result.smallest_pixel = smallest_pixel_share<double>() * object.diameter;
         result.levels = object.levels;
+        result.hash = hash_symbols(object.prefix);
         result.colored =
             std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
         result.color = floats(object.color);

@@ -94,7 +94,8 @@ struct WideObject {
     double diameter = 0;  // of the outermost volume, in the shape's coordinates
     double smallest_pixel = 0;
     std::uint32_t levels = 0;
-    bool colored = false;  // a map has a colour
+    std::uint32_t hash = 0;  // of the word that leads to it, unfinished
+    bool colored = false;    // a map has a colour
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
     bool fixed_direction = false;

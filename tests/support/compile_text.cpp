@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "host/render/compile.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
 
@@ -10,7 +9,7 @@ namespace pxm::test {
 
 using namespace host;
 
-CompiledScene compile_text(const std::string& text, double zoom) {
+CompiledScene compile_text(const std::string& text, double zoom, NearCells near_cells) {
     Diagnostics diagnostics;
     const auto stop_on_errors = [&](const Scene& scene) {
         if (diagnostics.has_errors()) throw std::runtime_error(diagnostics.text(scene.files));
@@ -19,7 +18,7 @@ CompiledScene compile_text(const std::string& text, double zoom) {
     stop_on_errors(scene);
     check_scene(scene, diagnostics);
     stop_on_errors(scene);
-    CompiledScene compiled = compile(scene, zoom, diagnostics);
+    CompiledScene compiled = compile(scene, zoom, diagnostics, near_cells);
     stop_on_errors(scene);
     return compiled;
 }

@@ -3,14 +3,16 @@
 
 #include <string>
 
-#include "host/render/compiled_scene.hpp"
+#include "host/render/compile.hpp"
 #include "host/render/engine.hpp"
 
 namespace pxm::test {
 
 /// Parses, checks and compiles. Throws std::runtime_error with the whole message text if the scene
 /// has an error.
-[[nodiscard]] host::CompiledScene compile_text(const std::string& text, double zoom = 1);
+[[nodiscard]] host::CompiledScene compile_text(
+    const std::string& text, double zoom = 1,
+    host::NearCells near_cells = host::NearCells::replaced);
 
 /// The scene on the cores at hand, or on the named model.
 [[nodiscard]] host::EngineResult render_natively(const host::CompiledScene& scene,

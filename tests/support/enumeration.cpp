@@ -53,7 +53,7 @@ Enumeration::Enumeration(const CompiledScene& scene)
         const CompiledObject& object = scene.objects[i];
         const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
         subdivide(static_cast<int>(i), object.instance, lipschitz_constant(object.instance),
-                  shape.start);
+                  object.start);
     }
 }
 
@@ -140,7 +140,7 @@ std::vector<glm::dvec3> random_points(const CompiledScene& scene, int object, in
     std::vector<glm::dvec3> points;
     for (int i = 0; i < count; ++i) {
         Affine place = instance.instance;
-        int set = shape.start;
+        int set = instance.start;
         for (int level = 0; level < word_length; ++level) {
             const std::vector<int>& maps = shape.sets[static_cast<std::size_t>(set)].maps;
             const int m = maps[random() % maps.size()];

@@ -60,8 +60,8 @@ Oracle::Oracle(const CompiledScene& scene, double smallest_share)
     }
     for (int object = 0; object < static_cast<int>(scene.objects.size()); ++object) {
         cells_.push_back(outermost(object));
-        const CompiledShape& shape = shape_of(object);
-        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(shape.start)].volume;
+        const CompiledVolume& volume =
+            shape_of(object).sets[static_cast<std::size_t>(cells_.back().set)].volume;
         object_sizes_.push_back(largest_singular_value(cells_.back().place) * volume.diameter);
     }
 }
@@ -149,8 +149,8 @@ Oracle::Cell Oracle::make_cell(int object, const Affine& place, double product, 
 }
 
 Oracle::Cell Oracle::outermost(int object) const {
-    const Affine& instance = scene_.objects[static_cast<std::size_t>(object)].instance;
-    return make_cell(object, instance, largest_singular_value(instance), shape_of(object).start);
+    const CompiledObject& whole = scene_.objects[static_cast<std::size_t>(object)];
+    return make_cell(object, whole.instance, largest_singular_value(whole.instance), whole.start);
 }
 
 Oracle::Cell Oracle::inside(int object, const Cell& cell, int map) const {
@@ -171,9 +171,27 @@ void Oracle::open(int object, std::size_t cell) {
     }
 }
 
+std::vector<Oracle::PathNormal> Oracle::enclosing_normals(const Sight& ray, int object) const {
+    std::vector<PathNormal> normals;
+    int index = scene_.objects[static_cast<std::size_t>(object)].enclosing;
+    while (index >= 0) {
+        const CompiledEnclosure& cell = scene_.enclosures[static_cast<std::size_t>(index)];
+        const Eigen::Matrix3d back = matrix_of(cell.inverse);
+        const glm::dvec3 o = cell.inverse.point(ray.origin);
+        const auto crossing = cross_volume(o, vector(row(ray.direction) * back), cell.volume);
+        if (crossing && crossing->entry > 0) {
+            normals.push_back(
+                {0, glm::normalize(vector(row(crossing->entry_normal) * back.transpose())),
+                 cell.volume.diameter, crossing->entry});
+        }
+        index = cell.enclosing;
+    }
+    return normals;
+}
+
 std::vector<Oracle::PathNormal> Oracle::normals_on_path(const Sight& ray,
                                                         const TerminalCell& seen) const {
-    std::vector<PathNormal> normals;
+    std::vector<PathNormal> normals = enclosing_normals(ray, seen.object);
     Cell cell = cells_[static_cast<std::size_t>(seen.object)];
     for (std::size_t level = 0;; ++level) {  // the cells that contain the hit, Erratum 13
         const auto set = static_cast<std::size_t>(cell.set);
@@ -200,8 +218,18 @@ std::vector<Oracle::PathNormal> Oracle::normals_on_path(const Sight& ray,
     }
 }
 
+double Oracle::outermost_size(int object) const {
+    double size = cells_[static_cast<std::size_t>(object)].diameter;
+    int index = scene_.objects[static_cast<std::size_t>(object)].enclosing;
+    while (index >= 0) {
+        size = scene_.enclosures[static_cast<std::size_t>(index)].volume.diameter;
+        index = scene_.enclosures[static_cast<std::size_t>(index)].enclosing;
+    }
+    return size;
+}
+
 double Oracle::weight(const TerminalCell& seen, double diameter) const {
-    const double outermost_diameter = cells_[static_cast<std::size_t>(seen.object)].diameter;
+    const double outermost_diameter = outermost_size(seen.object);
     if (scene_.shading == kernels::ShadingMode::low_pass) return diameter;  // Eq. 17.5
     if (scene_.shading == kernels::ShadingMode::high_pass) {
         return outermost_diameter - diameter;  // Eq. 17.6

@@ -70,6 +70,9 @@ class Oracle {
         double t;  // where the ray meets the volume
     };
 
+    /// The normals of cells around an object whose cells became objects of their own.
+    [[nodiscard]] std::vector<PathNormal> enclosing_normals(const Sight& ray, int object) const;
+    [[nodiscard]] double outermost_size(int object) const;
     [[nodiscard]] std::vector<PathNormal> normals_on_path(const Sight& ray,
                                                           const TerminalCell& seen) const;
     /// The weight of a cell of that diameter on the path (Eqs. 17.4 to 17.6).

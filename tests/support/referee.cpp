@@ -26,8 +26,11 @@ bool same_depth(const CompiledScene& scene, const PixelRecord& pixel, double key
 }
 
 bool shows(const CompiledScene& scene, const PixelRecord& pixel, const TerminalCell& cell) {
-    return pixel.object == cell.object && pixel.level == static_cast<int>(cell.word.size()) &&
-           pixel.word == hash_of(cell.word) && same_depth(scene, pixel, cell.key);
+    const CompiledObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
+    std::vector<int> word = object.prefix;
+    word.insert(word.end(), cell.word.begin(), cell.word.end());
+    return pixel.object == object.origin && pixel.level == static_cast<int>(word.size()) &&
+           pixel.word == hash_of(word) && same_depth(scene, pixel, cell.key);
 }
 
 bool is_miss(const PixelRecord& pixel) {

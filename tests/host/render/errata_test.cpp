@@ -33,6 +33,7 @@ TEST(Erratum3, a_cell_that_sticks_out_of_its_parent_is_not_shown_there) {
     // A system of one set: its volume also bounds what stands inside the maps, so split it.
     shape.sets.push_back(shape.sets[0]);
     shape.start = 1;
+    scene.objects[0].start = 1;
     CompiledVolume& outer = shape.sets[1].volume;
     ASSERT_EQ(outer.kind, kernels::Volume::sphere);
     outer.radius *= 0.7;
