@@ -206,7 +206,7 @@ class Compiler {
     }
 
     void add_object(const Placed& object) {
-        const Frame frame = frame_around(object.own_ball());
+        const ShapeFrame frame = frame_around(object.own_ball());
         CompiledObject result;
         result.name = object.block->name;
         result.origin = static_cast<int>(out_.objects.size());
@@ -238,7 +238,7 @@ class Compiler {
         out_.objects.push_back(result);
     }
 
-    int shape_of_fractal(const Placed& object, const Frame& frame) {
+    int shape_of_fractal(const Placed& object, const ShapeFrame& frame) {
         const Fractal& fractal = *object.fractal;
         const std::string& name = *object.block->ifs;
         const auto& volumes = volumes_of(object);
@@ -255,7 +255,7 @@ class Compiler {
         return add_shape(std::move(shape));
     }
 
-    int shape_of_volume(const ObjectBlock& block, const Frame& frame) {
+    int shape_of_volume(const ObjectBlock& block, const ShapeFrame& frame) {
         const CompiledVolume volume = primitive_volume(*block.volume);
         if (const auto made = shape_with("", {volume}, frame)) return *made;
         CompiledShape shape;
@@ -280,7 +280,8 @@ class Compiler {
 
     /// The number of the shape of an ifs with those volumes, if it was made before.
     std::optional<int> shape_with(const std::string& ifs,
-                                  const std::vector<CompiledVolume>& volumes, const Frame& frame) {
+                                  const std::vector<CompiledVolume>& volumes,
+                                  const ShapeFrame& frame) {
         const auto same = [&](const CompiledShape& shape) {
             return shape.ifs == ifs &&
                    std::ranges::equal(shape.sets, volumes,

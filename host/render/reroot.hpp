@@ -17,7 +17,7 @@ namespace pxm::host {
 /// What an object of the compiled scene was made from.
 struct Root {
     const Rifs* rifs = nullptr;  // null: it stays as it is
-    Frame frame;                 // of its shape
+    ShapeFrame frame;            // of its shape
     Affine instance;             // ifs coordinates to world
 };
 

@@ -24,7 +24,7 @@ std::vector<double> diameters_around(const Rifs& rifs, const std::vector<Compile
 
 }  // namespace
 
-Frame frame_around(const Ball& ball) { return {ball.center, power_of_two_near(ball.radius)}; }
+ShapeFrame frame_around(const Ball& ball) { return {ball.center, power_of_two_near(ball.radius)}; }
 
 double power_of_two_near(double x) {
     return x > 0 && std::isfinite(x) ? std::exp2(std::round(std::log2(x))) : 1.0;
@@ -54,7 +54,7 @@ double constant_by(kernels::Lipschitz method, const Affine& map) {
 }
 
 CompiledShape make_shape(const Rifs& rifs, const std::vector<CompiledVolume>& volumes,
-                         const Frame& frame, kernels::Lipschitz method) {
+                         const ShapeFrame& frame, kernels::Lipschitz method) {
     CompiledShape shape;
     shape.ifs = rifs.name;
     shape.map_names = rifs.map_names;

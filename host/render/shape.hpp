@@ -11,12 +11,12 @@ namespace pxm::host {
 
 /// The similarity from a shape's own coordinates (its ball about the unit ball) to those of its
 /// ifs.
-struct Frame {
+struct ShapeFrame {
     glm::dvec3 center{0.0};
     double scale = 1;
 };
 
-[[nodiscard]] Frame frame_around(const Ball& ball);
+[[nodiscard]] ShapeFrame frame_around(const Ball& ball);
 
 /// The power of two nearest to x; 1 if x is no size.
 [[nodiscard]] double power_of_two_near(double x);
@@ -28,6 +28,6 @@ struct Frame {
 
 /// The shape of a system, without colours. One volume per follow set, in the system's coordinates.
 [[nodiscard]] CompiledShape make_shape(const Rifs& rifs, const std::vector<CompiledVolume>& volumes,
-                                       const Frame& frame, kernels::Lipschitz method);
+                                       const ShapeFrame& frame, kernels::Lipschitz method);
 
 }  // namespace pxm::host

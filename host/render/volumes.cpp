@@ -88,7 +88,7 @@ class Choice {
     }
 
     [[nodiscard]] double cost(const Volumes& volumes) const {
-        const Frame frame = frame_around(bounds_[start_].ball);
+        const ShapeFrame frame = frame_around(bounds_[start_].ball);
         const auto method = choose_lipschitz(LipschitzMethod::automatic, rifs_);
         return trial_cost(make_shape(rifs_, volumes, frame, method), levels_);
     }

@@ -99,6 +99,17 @@ bool squashes_much(const CompiledMap& map) {
     return !(values[0] <= much * values[2]);
 }
 
+/// The diameter of the outermost cell around an object; 0 if none is.
+double widest_around(const CompiledScene& scene, const CompiledObject& object) {
+    double widest = 0;
+    for (int at = object.enclosing; at >= 0;) {
+        const CompiledEnclosure& cell = scene.enclosures[static_cast<std::size_t>(at)];
+        widest = cell.volume.diameter;
+        at = cell.enclosing;
+    }
+    return widest;
+}
+
 /// What of an object the wide engine cannot do, if anything.
 std::string why_not(const CompiledShape& shape) {
     if (shape.lifted) return "has singular maps, which were lifted";
@@ -118,16 +129,6 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
     if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
     if (needs_covers(scene)) return "local covers and translucent objects are the clear kernels'";
-    if (needs_shadows(scene)) return "shadows are the clear kernels'";
-    if (needs_mirrors(scene)) return "mirrors are the clear kernels'";
-    if (!scene.planes.empty()) return "planes are the clear kernels'";
-    const bool points = std::ranges::any_of(scene.lights, [](const CompiledLight& light) {
-        return light.kind == kernels::LightKind::point;
-    });
-    if (points) return "point lights are the clear kernels'";
-    if (scene.samples.size() > 1) return "several samples a pixel are the clear kernels'";
-    if (!scene.enclosures.empty())
-        return "cells around the eye's surroundings are the clear kernels'";
     for (const CompiledObject& object : scene.objects) {
         const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
         const std::string reason = why_not(shape);
@@ -165,6 +166,7 @@ WideScene make_wide_scene(const CompiledScene& scene) {
     wide.ambient = floats(scene.ambient);
     wide.background = floats(scene.background);
     wide.lights = scene.lights;
+    wide.enclosures = scene.enclosures;
     std::vector<int> first_sets;
     for (const CompiledShape& shape : scene.shapes) {
         first_sets.push_back(static_cast<int>(wide.sets.size()));
@@ -186,10 +188,13 @@ WideScene make_wide_scene(const CompiledScene& scene) {
         result.smallest_pixel = smallest_pixel_share<double>() * object.diameter;
         result.levels = object.levels;
         result.hash = hash_symbols(object.prefix);
+        result.enclosing = object.enclosing;
+        result.widest = widest_around(scene, object);
         result.colored =
             std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
         result.color = floats(object.color);
         result.diffuse = static_cast<float>(object.diffuse);
+        result.reflect = static_cast<float>(object.reflect);
         result.center = object.instance.point(volume.center);
         result.radius = lipschitz_constant(object.instance) * volume.radius;
         result.fixed_direction = has_fixed_direction(scene, object);

@@ -95,17 +95,25 @@ struct WideObject {
     double smallest_pixel = 0;
     std::uint32_t levels = 0;
     std::uint32_t hash = 0;  // of the word that leads to it, unfinished
+    int enclosing = -1;      // in the scene's list
+    double widest = 0;       // diameter of the outermost cell around it; 0 if none is
     bool colored = false;    // a map has a colour
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
     bool fixed_direction = false;
+    /// Corners of the attractor's hull in unit coordinates, if it serves as a cull
+    /// (host/wide/hull_shadow.inl).
+    static constexpr std::size_t most_hull_points = 32;
+    std::vector<glm::dvec3> hull;
     std::array<float, 3> color{};
     float diffuse = 0;
+    float reflect = 0;
 };
 
 struct WideScene {
     std::vector<WideSet> sets;  // of all shapes
     std::vector<WideObject> objects;
+    std::vector<CompiledEnclosure> enclosures;
     CompiledCamera camera;
     double detail = 1;
     std::uint32_t cell_cap = 0;

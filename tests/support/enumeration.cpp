@@ -51,7 +51,6 @@ Enumeration::Enumeration(const CompiledScene& scene)
     for (const CompiledShape& shape : scene.shapes) balls_.push_back(balls_of(shape));
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const CompiledObject& object = scene.objects[i];
-        const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
         subdivide(static_cast<int>(i), object.instance, lipschitz_constant(object.instance),
                   object.start);
     }
