@@ -41,6 +41,7 @@ NodeNeeds node_needs(const Scene& scene, Diagnostics& diagnostics) {
     const CompiledScene compiled = compile(scene, 1, diagnostics);
     if (diagnostics.has_errors()) return needs;
     needs.program = link(compiled);
+    needs.rerooted = rerooted(compiled);
     needs.native = wide::object_methods(compiled);
     needs.memory = memory_of(compiled, *find_model(inspected_model));
     needs.memory.fast_memory = {fast_memory_bytes, needs.program.used_bytes()};

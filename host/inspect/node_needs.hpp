@@ -17,6 +17,7 @@ struct NodeNeeds {
     NodeProgram program;
     MachineStatistics memory;                // its banks alone
     bool over_limit = false;                 // a memory would be too small
+    Rerooted rerooted;                       // cells near the eye that became objects
     std::vector<wide::ObjectMethod> native;  // how each object is met without the machine
 };
 

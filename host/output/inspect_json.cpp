@@ -217,6 +217,7 @@ std::string inspect_json(const Inspection& inspection) {
                       {"zbuffer", use_json(needs.memory.zbuffer)},
                       {"texture", use_json(needs.memory.texture)},
                       {"over_limit", needs.over_limit}};
+    json["rerooted"] = {{"objects", needs.rerooted.objects}, {"levels", needs.rerooted.levels}};
     json["native"] = Json::array();
     for (const wide::ObjectMethod& object : needs.native) {
         json["native"].push_back(

@@ -182,6 +182,11 @@ void add_needs(const NodeNeeds& needs, std::string& text) {
     add_use("back buffer", needs.memory.back_buffer, text);
     add_use("z-buffer", needs.memory.zbuffer, text);
     add_use("texture", needs.memory.texture, text);
+    if (needs.rerooted.objects > 0) {
+        line(text, "near the eye",
+             fmt::format("{} cells became objects, at most {} levels down", needs.rerooted.objects,
+                         needs.rerooted.levels));
+    }
     if (needs.native.empty()) return;
     text += "\nnatively, in float\n";
     for (const wide::ObjectMethod& object : needs.native) {

@@ -15,6 +15,7 @@
 #include "host/render/lifted_fractal.hpp"
 #include "host/render/lights.hpp"
 #include "host/render/method.hpp"
+#include "host/render/placed.hpp"
 #include "host/render/reroot.hpp"
 #include "host/render/samples.hpp"
 #include "host/render/shape.hpp"
@@ -28,41 +29,6 @@ namespace {
 
 constexpr double largest_length = 1e100;  // world units: the square of more is no double
 constexpr glm::dvec3 base_color{0.9, 0.9, 0.9};
-
-/// An object on its way: its block, its fractal (none if a volume is the object), its place in the
-/// world.
-struct Placed {
-    const ObjectBlock* block;
-    Fractal* fractal;
-    Affine instance;  // ifs coordinates to world
-
-    [[nodiscard]] Ball own_ball() const {
-        if (fractal == nullptr) return ball_around(primitive_volume(*block->volume));
-        return fractal->bounds[static_cast<std::size_t>(fractal->rifs.start)].ball;
-    }
-    [[nodiscard]] Ball world_ball() const {
-        const Ball ball = own_ball();
-        return {instance.point(ball.center), lipschitz_constant(instance) * ball.radius};
-    }
-};
-
-Ball ball_around(const std::vector<Placed>& objects) {
-    if (objects.empty()) return {{0, 0, 0}, 1};
-    if (objects.size() == 1) return objects.front().world_ball();
-    glm::dvec3 low{INFINITY};
-    glm::dvec3 high{-INFINITY};
-    for (const Placed& object : objects) {
-        const Ball ball = object.world_ball();
-        low = glm::min(low, ball.center - ball.radius);
-        high = glm::max(high, ball.center + ball.radius);
-    }
-    Ball all{(low + high) / 2.0, 0};
-    for (const Placed& object : objects) {
-        const Ball ball = object.world_ball();
-        all.radius = std::max(all.radius, glm::distance(all.center, ball.center) + ball.radius);
-    }
-    return all;
-}
 
 kernels::ShadingMode shading_mode(Shading shading) {
     switch (shading) {

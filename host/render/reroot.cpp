@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "host/fractal/lipschitz.hpp"
-#include "host/render/bounding_volume.hpp"
+#include "host/render/extent.hpp"
 
 namespace pxm::host {
 
@@ -15,47 +15,19 @@ namespace {
 constexpr double least_share = 0x1p-17;  // of a cell's diameter: p where it is nearest to the eye
 constexpr double nearest_share = 0.125;  // a cell that keeps that distance is never replaced
 constexpr double eye_share = 0x1p-20;    // of the look distance: nothing smaller is replaced
-constexpr std::size_t most_objects = 4000;
+constexpr std::size_t most_replaced = 4000;
 constexpr int most_looked_at = 4000;  // cells, to find out whether an object is near
-
-/// A ball that contains a volume.
-Ball around(const CompiledVolume& volume) {
-    if (volume.kind == kernels::Volume::hull) return {volume.center, volume.diameter};
-    return ball_around(volume);
-}
-
-/// What rays from the eye can reach, the eye at the origin.
-class Frustum {
-  public:
-    Frustum(const View& view, const PixelSize& size)
-        : view_(view),
-          half_height_(view.half_width * static_cast<double>(size.rows) /
-                       static_cast<double>(size.columns)) {}
-    [[nodiscard]] bool misses(const glm::dvec3& center, double radius) const {
-        const double ahead = glm::dot(center, view_.forward);
-        const auto beside = [&](const glm::dvec3& axis, double half) {
-            const double away = std::abs(glm::dot(center, axis)) - half * ahead;
-            return away > radius * std::sqrt(1 + half * half);
-        };
-        return ahead < -radius || beside(view_.right, view_.half_width) ||
-               beside(view_.up, half_height_);
-    }
-
-  private:
-    const View& view_;
-    double half_height_;
-};
 
 /// What is near: where a pixel is too small for a cell of some size.
 struct Nearness {
     double share;     // a cell is near if its distance is less than that share of its diameter
-    double bulge;     // radii that rays beside a volume may be away from its centre
+    double bulge;     // how much larger than a volume is what rays beside it may meet
     double smallest;  // diameter of cells that stay as they are, world units
     Rays rays;
     Frustum frustum;
 
-    [[nodiscard]] bool can_meet(const glm::dvec3& center, double radius) const {
-        return rays == Rays::from_everywhere || !frustum.misses(center, bulge * radius);
+    [[nodiscard]] bool can_meet(const Extent& extent) const {
+        return rays == Rays::from_everywhere || !frustum.misses(extent, bulge);
     }
 };
 
@@ -71,23 +43,24 @@ class NearSearch {
   public:
     NearSearch(const CompiledShape& shape, const Nearness& nearness, const Affine& place)
         : shape_(shape), nearness_(nearness) {
-        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(shape.start)].volume;
-        limit_ = nearness.share * 2 * around(volume).radius * lipschitz_constant(place);
+        limit_ = nearness.share * 2 * extent_at(place, shape.start).radius();
         found_ = look(place, shape.start);
     }
     [[nodiscard]] bool found() const { return found_; }
 
   private:
+    [[nodiscard]] Extent extent_at(const Affine& place, int set) const {
+        const CompiledVolume& volume = shape_.sets[static_cast<std::size_t>(set)].volume;
+        return extent(volume, place.linear, place.point(middle(volume)));
+    }
     bool look(const Affine& place, int set_index) {
-        const CompiledSet& set = shape_.sets[static_cast<std::size_t>(set_index)];
-        const Ball ball = around(set.volume);
-        const glm::dvec3 center = place.point(ball.center);
-        const double radius = ball.radius * lipschitz_constant(place);
-        const double distance = glm::length(center);
-        if (distance - radius >= limit_ || !nearness_.can_meet(center, radius)) return false;
-        if (distance + radius < limit_ || radius < limit_ / 16) return true;
+        const Extent cell = extent_at(place, set_index);
+        const double radius = cell.radius();
+        if (cell.distance() >= limit_ || !nearness_.can_meet(cell)) return false;
+        if (glm::length(cell.center) + radius < limit_ || radius < limit_ / 16) return true;
         if (++looked_at_ > most_looked_at) return false;
-        return std::ranges::any_of(set.maps, [&](int index) {
+        const std::vector<int>& maps = shape_.sets[static_cast<std::size_t>(set_index)].maps;
+        return std::ranges::any_of(maps, [&](int index) {
             const CompiledMap& map = shape_.maps[static_cast<std::size_t>(index)];
             return look(then(map.map, place), map.follow_set);
         });
@@ -161,14 +134,14 @@ class Rerooting {
 
     void visit(const Cell& cell) {
         const CompiledSet& set = set_of(cell.set);
-        const Ball ball = around(set.volume);
-        const glm::dvec3 center = rounded(image(cell.place, precise(ball.center)));
-        const double radius = ball.radius * lipschitz_constant({rounded_linear(cell.place), {}});
-        if (!nearness_.can_meet(center, radius)) return;
-        const double distance = std::max(0.0, glm::length(center) - radius);
+        const Extent reach = extent(set.volume, rounded_linear(cell.place),
+                                    rounded(image(cell.place, precise(middle(set.volume)))));
+        if (!nearness_.can_meet(reach)) return;
+        const double distance = reach.distance();
+        const double radius = reach.radius();
         const bool last = cell.word.size() == object_.levels;
         if (last || distance >= nearness_.share * 2 * radius || 2 * radius < nearness_.smallest ||
-            scene_.objects.size() >= most_objects) {
+            replaced_.size() >= most_replaced) {
             keep(cell);
             nearest_ = std::min(nearest_, std::max(distance, nearness_.share * 2 * radius));
             return;

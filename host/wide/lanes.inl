@@ -164,7 +164,7 @@ HWY_INLINE V largest_singular_value(D d, const Lanes3x3<V>& t) {
     const V yy = dot(t.row[1], t.row[1]);
     const V zz = dot(t.row[2], t.row[2]);
     const V trace = hn::Add(hn::Add(xx, yy), zz);
-    const V scale = hn::Div(one, hn::Max(trace, tiny));
+    const V scale = hn::Div(one, hn::Max(trace, hn::Set(d, T(1e-36))));  // deep zooms come near
     const auto scaled = [&](V a) HWY_ATTR { return hn::Mul(a, scale); };
     const V third = hn::Set(d, T(1.0 / 3));
     const V a = hn::Sub(scaled(xx), third);  // the matrix less a third of its trace

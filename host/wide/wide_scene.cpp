@@ -93,9 +93,9 @@ bool has_balls(const CompiledSet& set) { return set.volume.kind == kernels::Volu
 
 /// Grass and its kin: children tested together, without the culls in between, are hundreds of times
 /// more cells there, and a render does not end in comfortable time.
-bool squashes_much(const CompiledMap& map) {
+bool squashes_much(const Affine& map) {
     constexpr double much = 16;  // times more in one direction than in another
-    const auto values = singular_values(map.map.linear).values;
+    const auto values = singular_values(map.linear).values;
     return !(values[0] <= much * values[2]);
 }
 
@@ -119,7 +119,9 @@ std::string why_not(const CompiledShape& shape) {
     const auto balls = std::ranges::count_if(shape.sets, has_balls);
     if (balls != 0 && balls != std::ssize(shape.sets)) return "has balls and boxes side by side";
     if (shape.maps.size() > most_maps) return fmt::format("has more than {} maps", most_maps);
-    if (std::ranges::any_of(shape.maps, squashes_much)) return "has maps that squash very much";
+    if (std::ranges::any_of(shape.maps, squashes_much, &CompiledMap::map)) {
+        return "has maps that squash very much";
+    }
     return "";
 }
 
@@ -133,6 +135,10 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
         const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
         const std::string reason = why_not(shape);
         if (!reason.empty()) return fmt::format("object \"{}\" {}", object.name, reason);
+        if (!object.prefix.empty() && squashes_much(object.instance)) {
+            return fmt::format("object \"{}\" has cells near the eye that are squashed very much",
+                               object.name);
+        }
     }
     return "";
 }

@@ -178,7 +178,9 @@ std::vector<Oracle::PathNormal> Oracle::enclosing_normals(const Sight& ray, int 
         const CompiledEnclosure& cell = scene_.enclosures[static_cast<std::size_t>(index)];
         const Eigen::Matrix3d back = matrix_of(cell.inverse);
         const glm::dvec3 o = cell.inverse.point(ray.origin);
-        const auto crossing = cross_volume(o, vector(row(ray.direction) * back), cell.volume);
+        CompiledVolume volume = cell.volume;
+        if (volume.kind == kernels::Volume::box) volume.center = (volume.low + volume.high) / 2.0;
+        const auto crossing = cross_volume(o, vector(row(ray.direction) * back), volume);
         if (crossing && crossing->entry > 0) {
             normals.push_back(
                 {0, glm::normalize(vector(row(crossing->entry_normal) * back.transpose())),
