@@ -26,7 +26,7 @@ std::string thirds(double ratio, const IsIn& is_in) {
         if (!is_in(x, y, z)) continue;
         text += fmt::format("newmap scale: {} translate: {},{},{}\n", ratio, x, y, z);
     }
-    return text + "}\nobject it { ifs: it }\nimage { size: 40,30 }\nrender { volume: box }\n";
+    return text + "}\nobject it { ifs: it }\nimage { size: 24,18 }\nrender { volume: box }\n";
 }
 bool sponge(int x, int y, int z) { return (x == 0) + (y == 0) + (z == 0) < 2; }
 bool corners(int x, int y, int z) { return x != 0 && y != 0 && z != 0; }
