@@ -192,6 +192,7 @@ TEST(Architecture, an_outside_library_is_known_to_one_place) {
         {"nlohmann/json.hpp", "host/output/statistics_json.cpp"},
         {"Eigen/SVD", "host/fractal/lipschitz.cpp"},
         {"omp.h", "host/render/native_engine.cpp"},
+        {"boost/multiprecision/cpp_bin_float.hpp", "host/render/precise.hpp"},
         {"hwy/highway.h", "host/wide/tile_search.cpp"}};
     for (const auto& [header, home] : homes) {
         const std::string include = "#include <" + header + ">\n";

@@ -22,17 +22,6 @@ void for_bits(std::uint64_t bits, const Each& each) {
     for (; bits != 0; bits &= bits - 1) each(std::countr_zero(bits));
 }
 
-/// As eye_ray() of dsp_kernels/camera.hpp.
-LoneRay eye_ray(const CompiledCamera& camera, const glm::dvec2& place) {
-    const glm::dvec3 on_plane = camera.corner + camera.across * place.x + camera.down * place.y;
-    LoneRay ray{glm::dvec3{0.0}, glm::dvec3{0.0},     0,
-                far_away,        camera.pixel_at_eye, camera.pixel_growth};
-    const bool perspective = camera.projection == kernels::Projection::perspective;
-    ray.origin = perspective ? glm::dvec3{0.0} : on_plane;
-    ray.direction = perspective ? glm::normalize(on_plane) : camera.forward;
-    return ray;
-}
-
 }  // namespace
 
 TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide,
@@ -48,7 +37,8 @@ TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide,
                                         []<kernels::Features features>() -> ClearPixel {
                                             return &kernels::render_pixel<features, Node>;
                                         })),
-      needs_rays_(!scene.planes.empty() || !needs_plain_features(scene)) {
+      needs_rays_(!scene.planes.empty() || !needs_plain_features(scene)),
+      is_plain_(scene.planes.empty() && !needs_mirrors(scene) && scene.samples.size() == 1) {
     int widest = table_step;
     for (const WideSet& set : wide.sets) widest = std::max(widest, set.stride);
     work_.scratch = hwy::AllocateAligned<double>(static_cast<std::size_t>(widest) * 32);
@@ -58,7 +48,7 @@ void TileTracer::render(long left, long top) {
     left_ = left;
     top_ = top;
     unclear_ = 0;
-    if (!needs_rays_ && scene_.samples.size() == 1) return render_plainly();
+    if (is_plain_) return render_plainly();
     sums_.fill(PixelSum{});
     for (std::size_t sample = 0; sample < scene_.samples.size(); ++sample) {
         aim(sample);
@@ -68,38 +58,55 @@ void TileTracer::render(long left, long top) {
     store();
 }
 
-/// The first cell along one ray a pixel is all that counts.
+/// One ray a pixel, cells and lights alone: nothing is to be added up.
 void TileTracer::render_plainly() {
-    aim_at_tile(work_.bundle, scene_.camera, scene_.crop, left_, top_, scene_.samples[0]);
+    place_ = scene_.samples[0];
+    aim_at_tile(work_.bundle, scene_.camera, scene_.crop, left_, top_, place_);
     search_bundle(wide_, work_);
+    lit_count_ = 0;
+    const std::uint64_t inside = work_.bundle.inside;  // shadows are a bundle of their own
     const auto objects = static_cast<std::uint32_t>(scene_.objects.size());
-    LitPlace& place = lit_[0];
-    for_bits(work_.bundle.inside, [&](int i) {
+    std::uint64_t tested = 0;
+    for_bits(inside, [&](int i) {
         const Found& found = work_.found[static_cast<std::size_t>(i)];
         PixelRecord& pixel = pixel_at(i);
         pixel.node = static_cast<std::uint32_t>(i);
         pixel.volumes = objects + found.tested;
-        if (found.start < 0 && !found.given_up) {
+        tested += pixel.volumes;
+        if (found.given_up) {
+            give_up(i);
+        } else if (found.start < 0) {
             std::ranges::copy(wide_.background, pixel.color);
-        } else if (!found.given_up && see_cell(wide_, work_, i, place.seen)) {
-            const auto stretch = static_cast<double>(work_.bundle.stretch[i]);
-            record_cell(place.seen, place.seen.depth * stretch, pixel);
-            place.diffuse = wide_.objects[static_cast<std::size_t>(place.seen.object)].diffuse;
-            std::ranges::copy(color_of(place), pixel.color);
-            pixel.alpha = 1;
-            ++rays.hits;
         } else {
-            return render_clearly(i, found.tested);
+            lanes_[static_cast<std::size_t>(i)].pixel = i;
+            sums_[static_cast<std::size_t>(i)] = {};
+            see_cell_in(Kind::first_sample, i);
         }
-        ++rays.pixels;
-        ++rays.eye_rays;
-        rays.volumes_tested += pixel.volumes;
+    });
+    if (needs_shadows(scene_)) cast_shadows();
+    for (std::size_t k = 0; k < lit_count_; ++k) {
+        PixelRecord& pixel = pixel_at(lit_[k].lane);
+        const PixelSum& sum = sums_[static_cast<std::size_t>(lit_[k].lane)];
+        std::ranges::copy(color_of(lit_[k]), pixel.color);
+        pixel.alpha = 1;
+        pixel.volumes += sum.tested;
+        tested += sum.tested;
+        rays.light_rays += sum.light_rays;
+        rays.hits += (unclear_ >> lit_[k].lane & 1) == 0 ? 1 : 0;
+    }
+    const auto pixels = static_cast<std::uint64_t>(std::popcount(inside & ~unclear_));
+    rays.pixels += pixels;
+    rays.eye_rays += pixels;
+    rays.volumes_tested += tested;
+    for_bits(inside & unclear_, [&](int i) {
+        rays.volumes_tested -= pixel_at(i).volumes;
+        render_clearly(i, pixel_at(i).volumes - objects);
     });
 }
 
 void TileTracer::aim(std::size_t sample) {
-    const glm::dvec2 place = scene_.samples[sample];
-    aim_at_tile(work_.bundle, scene_.camera, scene_.crop, left_, top_, place);
+    place_ = scene_.samples[sample];
+    aim_at_tile(work_.bundle, scene_.camera, scene_.crop, left_, top_, place_);
     work_.bundle.inside &= ~unclear_;
     const double share = 1.0 / static_cast<double>(scene_.samples.size());
     for_bits(work_.bundle.inside, [&](int pixel) {
@@ -108,11 +115,23 @@ void TileTracer::aim(std::size_t sample) {
         lane.share = share;
         lane.bounces_left = scene_.bounces;
         lane.floor.plane = 0;
-        if (!needs_rays_) return;
-        const glm::dvec2 corner{static_cast<double>(left_ + pixel % tile_side),
-                                static_cast<double>(top_ + pixel / tile_side)};
-        lane.ray = eye_ray(scene_.camera, corner + place);
+        if (!scene_.planes.empty()) lane.ray = eye_ray(pixel);
     });
+}
+
+/// As eye_ray() of dsp_kernels/camera.hpp, through the present sample's place in a pixel.
+LoneRay TileTracer::eye_ray(int pixel) const {
+    const CompiledCamera& camera = scene_.camera;
+    const double column = static_cast<double>(left_ + pixel % tile_side) + place_.x;
+    const double row = static_cast<double>(top_ + pixel / tile_side) + place_.y;
+    const glm::dvec3 on_plane = camera.corner + camera.across * column + camera.down * row;
+    const bool perspective = camera.projection == kernels::Projection::perspective;
+    return {perspective ? glm::dvec3{0.0} : on_plane,
+            perspective ? glm::normalize(on_plane) : camera.forward,
+            0,
+            far_away,
+            camera.pixel_at_eye,
+            camera.pixel_growth};
 }
 
 double TileTracer::length_at(int lane, double depth) const {
@@ -169,10 +188,12 @@ void TileTracer::see(Kind kind, int i) {
 }
 
 void TileTracer::see_cell_in(Kind kind, int i) {
-    const Lane& lane = lanes_[static_cast<std::size_t>(i)];
+    Lane& lane = lanes_[static_cast<std::size_t>(i)];
     LitPlace& place = lit_[lit_count_];
     if (!see_cell(wide_, work_, i, place.seen)) return give_up(lane.pixel);
     ++lit_count_;
+    const bool wants_ray = needs_rays_ && scene_.planes.empty() && kind != Kind::mirror;
+    if (wants_ray) lane.ray = eye_ray(lane.pixel);
     const WideObject& object = wide_.objects[static_cast<std::size_t>(place.seen.object)];
     const double t = length_at(i, place.seen.depth);
     place.lane = i;

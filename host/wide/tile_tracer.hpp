@@ -42,7 +42,7 @@ class TileTracer {
         int pixel;  // of the tile
         double share;
         long bounces_left;
-        LoneRay ray;  // filled in if the scene has more than cells and directional lights
+        LoneRay ray;  // of eye rays: if there are planes, or a place is to be known
         kernels::PlaneHit<double> floor;
     };
     /// A surface that a lane sees, and what of the lights reaches it.
@@ -71,6 +71,7 @@ class TileTracer {
 
     void render_plainly();
     void aim(std::size_t sample);
+    [[nodiscard]] LoneRay eye_ray(int pixel) const;
     void look(Kind kind);
     void look_into_mirrors();
     void meet_planes();
@@ -103,10 +104,12 @@ class TileTracer {
     kernels::FrameConstants<double> constants_;
     kernels::PixelResult<double> result_;
     ClearPixel clear_pixel_;
-    bool needs_rays_;  // more than cells and directional lights
+    bool needs_rays_;  // there are planes, shadows or mirrors
+    bool is_plain_;    // render_plainly() will do
     Workspace work_;
     long left_ = 0;  // of the tile
     long top_ = 0;
+    glm::dvec2 place_{0.5};  // of the present sample
     std::array<Lane, bundle_rays> lanes_;
     std::array<LitPlace, bundle_rays> lit_;
     std::size_t lit_count_ = 0;
