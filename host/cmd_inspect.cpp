@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "host/cmd.hpp"
+#include "host/inspect/attractor_point.hpp"
 #include "host/inspect/inspection.hpp"
 #include "host/option_checks.hpp"
 #include "host/output/inspect_json.hpp"
@@ -22,7 +23,16 @@ struct InspectArguments {
     std::string scene;
     std::string out;
     bool json = false;
+    std::vector<std::string> point;
 };
+
+void put(const std::string& text, const std::string& out) {
+    if (out.empty()) {
+        fmt::print("{}", text);
+    } else {
+        write_text_safely(out, text);
+    }
+}
 
 ExitCode inspect_scene(const InspectArguments& arguments) {
     if (!arguments.out.empty()) require_writable(arguments.out);
@@ -30,16 +40,15 @@ ExitCode inspect_scene(const InspectArguments& arguments) {
     const Scene scene = parse_scene(arguments.scene, diagnostics);
     if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
     diagnostics.throw_if_errors(scene.files);
+    if (!arguments.point.empty()) {
+        put(attractor_point(scene, arguments.point) + "\n", arguments.out);
+        return ExitCode::done;
+    }
     const Inspection found = inspect(scene, arguments.scene, diagnostics);
     diagnostics.throw_if_errors(scene.files);
     const std::string warnings = diagnostics.warnings_text(scene.files);
     if (!warnings.empty()) fmt::print(stderr, "{}\n", warnings);
-    const std::string text = arguments.json ? inspect_json(found) : inspect_text(found);
-    if (arguments.out.empty()) {
-        fmt::print("{}", text);
-    } else {
-        write_text_safely(arguments.out, text);
-    }
+    put(arguments.json ? inspect_json(found) : inspect_text(found), arguments.out);
     return ExitCode::done;
 }
 
@@ -51,6 +60,10 @@ CommandAction add_inspect_command(CLI::App& app) {
         app.add_subcommand("inspect", "Say what a scene is and needs, without rendering");
     command->add_option("scene", a->scene, "The scene file (.pxm)")->required()->check(some_text());
     command->add_flag("--json", a->json, "As JSON");
+    command
+        ->add_option("--point", a->point,
+                     "Print the attractor's point whose address repeats these maps")
+        ->delimiter(',');
     command->add_option("-o,--out", a->out, "Write to this file; default: the standard output")
         ->check(some_text());
     return [a] { return inspect_scene(*a); };

@@ -9,6 +9,7 @@
 
 #include "dsp_kernels/scene_block.hpp"
 #include "host/fractal/lipschitz.hpp"
+#include "host/render/extent.hpp"
 #include "host/render/scene_block.hpp"
 #include "pxm/dsp32/float.hpp"
 
@@ -16,6 +17,7 @@ namespace pxm::host {
 
 namespace {
 
+constexpr double rounding = 1e-4;  // of a depth
 constexpr double least_ulps = 32;  // where float begins to show wrong pixels (docs/studies.md)
 
 /// What a number type can hold.
@@ -44,16 +46,28 @@ struct Place {
     int origin = 0;       // number of the object in the scene
     double distance = 0;  // of its middle
     double diameter = 0;
+    double begin = 0;  // what is nearer than that, or farther than the end, is not of the object
+    double end = 0;
 };
+
+Place place_of(const CompiledScene& scene, const CompiledObject& object) {
+    const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
+    const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(object.start)].volume;
+    const double distance = glm::length(object.instance.point(volume.center));
+    const double begin = std::max(0.0, distance - object.diameter / 2);
+    if (object.prefix.empty()) {
+        return {object.origin, distance, object.diameter, begin,
+                std::numeric_limits<double>::infinity()};
+    }
+    const Extent reach =
+        extent(volume, object.instance.linear, object.instance.point(middle(volume)));
+    return {object.origin, distance, object.diameter, std::max(begin, reach.distance()),
+            glm::length(reach.center) + reach.radius()};
+}
 
 std::vector<Place> places_of(const CompiledScene& scene) {
     std::vector<Place> places;
-    for (const CompiledObject& object : scene.objects) {
-        const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
-        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(object.start)].volume;
-        places.push_back(
-            {object.origin, glm::length(object.instance.point(volume.center)), object.diameter});
-    }
+    for (const CompiledObject& object : scene.objects) places.push_back(place_of(scene, object));
     return places;
 }
 
@@ -87,8 +101,8 @@ std::uint8_t alarms_of_misses(const CompiledScene& scene, const Precision& preci
     const double hit = nearest_hit(scene, frame);
     std::uint8_t alarms = 0;
     for (const Place& place : places) {
-        const double begin = std::max(0.0, place.distance - place.diameter / 2);
-        alarms |= look(scene, precision, std::isfinite(hit) ? std::max(begin, hit) : begin, place);
+        const double from = std::isfinite(hit) ? std::max(place.begin, hit) : place.begin;
+        if (from <= place.end) alarms |= look(scene, precision, from, place);
     }
     return alarms;
 }

@@ -12,15 +12,21 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double least_share = 0x1p-17;  // of a cell's diameter: p where it is nearest to the eye
+// p where a cell is nearest to the eye, as shares of its diameter: that of an object as a whole,
+// and what is kept of one that is replaced. Float tells 2^-23 of coordinates apart.
+constexpr double whole_share = 0x1p-17;
+constexpr double kept_share = 0x1p-15;
 constexpr double nearest_share = 0.125;  // a cell that keeps that distance is never replaced
 constexpr double eye_share = 0x1p-20;    // of the look distance: nothing smaller is replaced
+constexpr double touching = 1e-6;
 constexpr std::size_t most_replaced = 4000;
 constexpr int most_looked_at = 4000;  // cells, to find out whether an object is near
 
 /// What is near: where a pixel is too small for a cell of some size.
 struct Nearness {
-    double share;     // a cell is near if its distance is less than that share of its diameter
+    // Something is near at less than these shares of a diameter: an object's, a cell's.
+    double whole;
+    double kept;
     double bulge;     // how much larger than a volume is what rays beside it may meet
     double smallest;  // diameter of cells that stay as they are, world units
     Rays rays;
@@ -34,8 +40,10 @@ struct Nearness {
 Nearness nearness(const CompiledScene& scene, const View& view, Rays rays) {
     const double growth = scene.camera.pixel_growth * std::min(1.0, scene.detail);
     const double bulge = needs_covers(scene) ? 1.5 : 1 + 1e-6;  // dsp_kernels/descend.hpp
-    return {std::min(nearest_share, least_share / growth), bulge, eye_share * view.look_distance,
-            rays, Frustum(view, scene.size)};
+    const auto share = [&](double least) { return std::min(nearest_share, least / growth); };
+    return {
+        share(whole_share),       share(kept_share), bulge, eye_share * view.look_distance, rays,
+        Frustum(view, scene.size)};
 }
 
 /// Whether any of an object's attractor that rays may meet is near, for the object as a whole.
@@ -43,7 +51,7 @@ class NearSearch {
   public:
     NearSearch(const CompiledShape& shape, const Nearness& nearness, const Affine& place)
         : shape_(shape), nearness_(nearness) {
-        limit_ = nearness.share * 2 * extent_at(place, shape.start).radius();
+        limit_ = nearness.whole * 2 * extent_at(place, shape.start).radius();
         found_ = look(place, shape.start);
     }
     [[nodiscard]] bool found() const { return found_; }
@@ -56,7 +64,10 @@ class NearSearch {
     bool look(const Affine& place, int set_index) {
         const Extent cell = extent_at(place, set_index);
         const double radius = cell.radius();
-        if (cell.distance() >= limit_ || !nearness_.can_meet(cell)) return false;
+        const double distance = cell.distance();
+        if (distance >= limit_) return false;
+        // Where the eye all but touches a cell, a double does not say on which side of it it is.
+        if (distance > touching * limit_ && !nearness_.can_meet(cell)) return false;
         if (glm::length(cell.center) + radius < limit_ || radius < limit_ / 16) return true;
         if (++looked_at_ > most_looked_at) return false;
         const std::vector<int>& maps = shape_.sets[static_cast<std::size_t>(set_index)].maps;
@@ -140,10 +151,10 @@ class Rerooting {
         const double distance = reach.distance();
         const double radius = reach.radius();
         const bool last = cell.word.size() == object_.levels;
-        if (last || distance >= nearness_.share * 2 * radius || 2 * radius < nearness_.smallest ||
+        if (last || distance >= nearness_.kept * 2 * radius || 2 * radius < nearness_.smallest ||
             replaced_.size() >= most_replaced) {
             keep(cell);
-            nearest_ = std::min(nearest_, std::max(distance, nearness_.share * 2 * radius));
+            nearest_ = std::min(nearest_, std::max(distance, nearness_.kept * 2 * radius));
             return;
         }
         const int around = static_cast<int>(replaced_.size());

@@ -112,9 +112,7 @@ TEST(Reroot, leaves_usual_views_as_they_are) {
     for (const Example& example : example_scenes("40,30")) {
         const CompiledScene scene = compile_text(example.text);
         EXPECT_EQ(rerooted(scene).objects, 0U) << example.name;
-        const CompiledScene kept = compile_text(example.text, 1, NearCells::kept);
-        EXPECT_EQ(scene.unit, kept.unit) << example.name;
-        EXPECT_EQ(scene.objects.size(), kept.objects.size()) << example.name;
+        EXPECT_EQ(scene.enclosures.size(), 0U) << example.name;
     }
 }
 
@@ -145,22 +143,35 @@ TEST(Reroot, shades_as_the_whole_object_does_in_every_mode) {
     }
 }
 
-TEST(Reroot, every_number_type_and_engine_shows_an_admissible_picture) {
+TEST(Reroot, every_number_type_and_engine_shows_the_picture_of_double) {
     for (const Views& view : views("")) {
+        // Cells of overlapping pieces lie in the same place: rounding decides which one shows.
+        if (view.name == "squashed") continue;  // thousands of objects take their time
+        const bool overlapping = view.name == "two_levels" || view.name == "graph";
+        const bool small = view.name != "corner" && view.name != "side" && !overlapping;
         for (const double zoom : {1e10, 1e30}) {
+            if (!small && zoom > 1e10) continue;
             const CompiledScene scene = compile_text(view.text, zoom);
-            const auto check = [&](const char* what, const Frame& frame, Numeric numeric) {
-                const Verdict verdict = judge(scene, frame, numeric);
-                EXPECT_GT(verdict.hits, 10) << view.name << zoom << what;
-                EXPECT_GE(verdict.admissible_share(), 0.99)
-                    << view.name << zoom << what << verdict.report;
-                EXPECT_LE(verdict.wrong_colors, 4) << view.name << zoom << what << verdict.report;
+            const Frame twice = render_natively(scene, Numeric::twice).frame;
+            if (small) {
+                const Verdict verdict = judge(scene, twice, Numeric::twice);
+                EXPECT_GT(verdict.hits, 10) << view.name << zoom;
+                EXPECT_EQ(verdict.same + verdict.tied, verdict.pixels)
+                    << view.name << verdict.report;
+                EXPECT_EQ(verdict.wrong_colors, 0) << view.name << zoom << verdict.report;
+            }
+            const auto check = [&](const char* what, const Frame& frame) {
+                const Difference d = difference(twice, frame);
+                EXPECT_LT(d.hits, 0.01) << view.name << zoom << what << text_of(d);
+                EXPECT_LT(d.words, overlapping ? 0.15 : 0.02)
+                    << view.name << zoom << what << text_of(d);
+                EXPECT_LT(d.colors, overlapping ? 0.06 : 0.02)
+                    << view.name << zoom << what << text_of(d);
             };
-            check(" float", render_natively(scene, Numeric::single).frame, Numeric::single);
-            check(" dsp32", render_natively(scene, Numeric::dsp32).frame, Numeric::dsp32);
-            check(" double", render_natively(scene, Numeric::twice).frame, Numeric::twice);
+            check(" float", render_natively(scene, Numeric::single).frame);
+            check(" dsp32", render_natively(scene, Numeric::dsp32).frame);
             if (wide::why_not_wide(scene, Numeric::single).empty()) {
-                check(" wide", render_wide(scene), Numeric::twice);
+                check(" wide", render_wide(scene));
             }
         }
     }
