@@ -51,13 +51,27 @@ PreciseAffine composed(const Rifs& rifs, const std::vector<std::string>& word) {
     return all;
 }
 
-std::string text_of(const Precise& x) { return x.str(decimals, std::ios::fixed); }
+/// Rounded to the last decimal.
+std::string text_of(const Precise& x) {
+    Precise rest = abs(x) + pow(Precise(10), -decimals) / 2;
+    const Precise whole = floor(rest);
+    std::string text = fmt::format("{}{}.", x < 0 ? "-" : "", whole.convert_to<long long>());
+    rest -= whole;
+    for (int i = 0; i < decimals; ++i) {
+        rest *= 10;
+        const int digit = rest.convert_to<int>();
+        text.push_back(static_cast<char>('0' + digit));
+        rest -= digit;
+    }
+    return text;
+}
 
 }  // namespace
 
 std::string attractor_point(const Scene& scene, const std::vector<std::string>& word) {
     const std::vector<ObjectBlock> objects = objects_of(scene);
-    const auto object = std::ranges::find_if(objects, [](const auto& o) { return o.ifs; });
+    const auto object =
+        std::ranges::find_if(objects, [](const auto& o) { return o.ifs.has_value(); });
     if (object == objects.end()) refuse("no object of the scene has an ifs");
     Diagnostics diagnostics;
     const auto block = std::ranges::find(scene.ifs, *object->ifs, &IfsBlock::name);
@@ -68,7 +82,7 @@ std::string attractor_point(const Scene& scene, const std::vector<std::string>& 
         refuse("the maps together do not contract: repeat them, or choose others");
     }
     const PreciseVec3 at = image(precise(compose(object->commands)), fixed_point(map));
-    return text_of(at[0]) + "," + text_of(at[1]) + "," + text_of(at[2]);
+    return fmt::format("{},{},{}", text_of(at[0]), text_of(at[1]), text_of(at[2]));
 }
 
 }  // namespace pxm::host

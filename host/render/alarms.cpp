@@ -113,7 +113,8 @@ std::uint8_t alarms_of_hit(const CompiledScene& scene, const Precision& precisio
     const double distance = double{pixel.z} / scene.unit;
     std::uint8_t alarms = 0;
     for (const Place& place : places) {
-        const bool there = std::abs(distance - place.distance) <= 0.51 * place.diameter;
+        const bool there = std::isinf(place.end) || (place.begin * (1 - rounding) <= distance &&
+                                                     distance <= place.end * (1 + rounding));
         if (place.origin == pixel.object && there)
             alarms |= look(scene, precision, distance, place);
     }

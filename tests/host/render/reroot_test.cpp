@@ -163,7 +163,7 @@ TEST(Reroot, every_number_type_and_engine_shows_the_picture_of_double) {
             const auto check = [&](const char* what, const Frame& frame) {
                 const Difference d = difference(twice, frame);
                 EXPECT_LT(d.hits, 0.01) << view.name << zoom << what << text_of(d);
-                EXPECT_LT(d.words, overlapping ? 0.15 : 0.02)
+                EXPECT_LT(d.words, overlapping ? 0.15 : 0.04)
                     << view.name << zoom << what << text_of(d);
                 EXPECT_LT(d.colors, overlapping ? 0.06 : 0.02)
                     << view.name << zoom << what << text_of(d);
