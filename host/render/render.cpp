@@ -10,6 +10,7 @@
 #include "host/error.hpp"
 #include "host/render/compile.hpp"
 #include "host/render/link.hpp"
+#include "host/render/overflow.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
 #include "host/scene/words.hpp"
@@ -71,6 +72,7 @@ Prepared prepare(const RenderRequest& request) {
     if (!diagnostics.has_errors()) {
         prepared.compiled = compile(prepared.scene, request.overrides.zoom, diagnostics);
     }
+    if (request.cell_cap) prepared.compiled.cell_cap = *request.cell_cap;
     diagnostics.throw_if_errors(prepared.scene.files);
     prepared.warnings = diagnostics.warnings_text(prepared.scene.files);
     if (!prepared.warnings.empty()) prepared.warnings += '\n';
@@ -122,6 +124,7 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     const NodeProgram program = link(prepared.compiled);
     if (request.machine) require_fit(program, std::string(request.machine->name));
     const IntersectChoice intersect = intersect_of(prepared, request);
+    clear_overflow();  // of what the host computed
     const EngineChoice choice{request.machine,     numeric_of(prepared, request),
                               request.threads,     program.modules_bytes(),
                               program.stack_bytes, request.costs,
@@ -168,6 +171,8 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
                           clock.lap()};
     return result;
 }
+
+CompiledScene compiled_scene_of(const RenderRequest& request) { return prepare(request).compiled; }
 
 std::string explain_pixel(const RenderRequest& request, long x, long y) {
     const Prepared prepared = prepare(request);

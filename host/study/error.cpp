@@ -49,28 +49,38 @@ Json machine_seconds(RenderRequest request, const StudyRequest& study, const Uni
     return static_cast<double>(slowest) * instruction_seconds;
 }
 
-Json measure_setting(const std::string& scene, const ErrorSetting& setting,
-                     const StudyRequest& study, References& references,
-                     const UnitControl& control) {
-    if (!references.color) {
-        references.depth = render_unit(request_for(scene, depth_reference(), study), control);
-        references.color = render_unit(request_for(scene, color_reference(), study), control);
-    }
-    const RenderRequest request = request_for(scene, setting.overrides, study);
-    std::optional<RenderResult> picture;
-    Json result = {{"settings", {{"name", setting.name}}}};
-    result["machine_seconds"] = machine_seconds(request, study, control, picture);
+void render_references(const std::string& scene, const StudyRequest& study, References& references,
+                       const UnitControl& control) {
+    references.depth = render_unit(request_for(scene, depth_reference(), study), control);
+    references.color = render_unit(request_for(scene, color_reference(), study), control);
+}
+
+/// Median and spread of the host's seconds for a native render.
+Json host_seconds(const RenderRequest& request, int repeats, const UnitControl& control,
+                  std::optional<RenderResult>& picture) {
     std::vector<double> seconds;
-    for (int i = 0; i < study.repeats; ++i) {
+    for (int i = 0; i < repeats; ++i) {
         const RenderResult again = render_unit(request, control);
         seconds.push_back(again.statistics.seconds.render);
         if (!picture) picture = again;
     }
     std::ranges::sort(seconds);
+    return {{"host_seconds", seconds[seconds.size() / 2]},
+            {"host_spread", {seconds.front(), seconds.back()}}};
+}
+
+Json measure_setting(const std::string& scene, const ErrorSetting& setting,
+                     const StudyRequest& study, const References& references,
+                     const UnitControl& control) {
+    const RenderRequest request = request_for(scene, setting.overrides, study);
+    std::optional<RenderResult> picture;
+    Json result = {{"settings", {{"name", setting.name}}}};
+    result["machine_seconds"] = nullptr;
+    if (!setting.native_only)
+        result["machine_seconds"] = machine_seconds(request, study, control, picture);
+    result.update(host_seconds(request, study.repeats, control, picture));
     const Deviation color = deviation_of(*picture, *references.color);
     const Deviation depth = deviation_of(*picture, *references.depth);
-    result["host_seconds"] = seconds[seconds.size() / 2];
-    result["host_spread"] = {seconds.front(), seconds.back()};
     result["rmse"] = color.rmse;
     result["color_99"] = color.color_99;
     result["perceived"] = color.perceived;
@@ -78,6 +88,22 @@ Json measure_setting(const std::string& scene, const ErrorSetting& setting,
     result["depth_error_pixels"] = depth.mean_depth;
     result["worst_depth_pixels"] = depth.worst_depth;
     return result;
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// A setting that the scene does not allow (`fast` takes homotheties alone) is no point: it says
+/// why.
+Json measure_if_allowed(const std::string& scene, const ErrorSetting& setting,
+                        const StudyRequest& study, References& references,
+                        const UnitControl& control) {
+    if (!references.color) render_references(scene, study, references, control);
+    try {
+        return measure_setting(scene, setting, study, references, control);
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::scene && error.code() != ExitCode::command_line) throw;
+        return {{"settings", {{"name", setting.name}}}, {"refused", first_line(error.what())}};
+    }
 }
 
 /// Marks the points that no other beats in both time and error, and names what beats the others.
@@ -129,7 +155,11 @@ std::string advice_for(const Json& points) {
         spoken(*most_exact));
 }
 
-Json scene_json(const std::string& scene, Json points, const StudyRequest& study) {
+Json scene_json(const std::string& scene, const Json& results, const StudyRequest& study) {
+    Json points = Json::array();
+    Json refused = Json::array();
+    for (const Json& result : results)
+        (result.contains("refused") ? refused : points).push_back(result);
     mark_pareto(points, "machine_seconds", "pareto", "dominated_by");
     mark_pareto(points, "host_seconds", "pareto_host", "dominated_by_host");
     const PixelSize size = study.size.value_or(default_size);
@@ -149,6 +179,7 @@ Json scene_json(const std::string& scene, Json points, const StudyRequest& study
     }
     json["advice"] = advice_for(points);
     json["points"] = std::move(points);
+    json["refused"] = std::move(refused);
     return json;
 }
 
@@ -176,17 +207,18 @@ StudyPlan plan_error(const StudyRequest& request) {
                                    {"repeats", request.repeats},
                                    {"model", request.machine ? request.machine->name : "964dX"}},
                                   [=, setting = settings[k]](const UnitControl& control) {
-                                      return measure_setting(scene, setting, request, *references,
-                                                             control);
+                                      return measure_if_allowed(scene, setting, request,
+                                                                *references, control);
                                   }});
         }
     }
     plan.assemble = [=, count = settings.size()](const std::vector<Json>& results) {
         Json data = {{"scenes", Json::array()}};
         for (std::size_t i = 0; i < request.scenes.size(); ++i) {
-            Json points = Json::array();
-            for (std::size_t k = 0; k < count; ++k) points.push_back(results[i * count + k]);
-            data["scenes"].push_back(scene_json(request.scenes[i], std::move(points), request));
+            const auto first = results.begin() + static_cast<std::ptrdiff_t>(i * count);
+            const Json of_scene(
+                std::vector<Json>(first, first + static_cast<std::ptrdiff_t>(count)));
+            data["scenes"].push_back(scene_json(request.scenes[i], of_scene, request));
         }
         return data;
     };

@@ -15,7 +15,7 @@ std::string name_of(const Json& point) {
 }
 
 std::string shown(const Json& value) {
-    return value.is_null() ? "does not fit" : number_text(value.get<double>());
+    return value.is_null() ? "-" : number_text(value.get<double>());
 }
 
 /// `time` and `mark` choose the machine or the host.
@@ -106,6 +106,10 @@ std::string error_page(const Json& data, const std::string&) {
         page.plot(diagram(scene, "Machine time", "machine_seconds", "pareto"));
         page.plot(diagram(scene, "Host time of this run", "host_seconds", "pareto_host"));
         page.table(point_table(scene));
+        for (const Json& one : scene["refused"]) {
+            page.paragraph(
+                fmt::format("{} was refused: {}", name_of(one), one["refused"].get<std::string>()));
+        }
     }
     return page.html();
 }

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "host/output/safe_file.hpp"
 #include "host/study/deviation.hpp"
+#include "host/study/extended.hpp"
 #include "host/study/stability_cases.hpp"
 #include "host/study/stability_page.hpp"
 #include "host/study/study_scene.hpp"
@@ -16,34 +18,60 @@ namespace {
 
 constexpr double right_share = 0.001;    // of wrong pixels: design decision 4
 constexpr double degraded_share = 0.02;  // more is a failure
-constexpr double twin_unit = 3;          // no power of 2: everything is rounded otherwise
+constexpr int mantissa_bits = std::numeric_limits<long double>::digits;
+constexpr double twin_unit = 3;  // no power of 2: everything is rounded otherwise
 
-/// What computes. A line here is an engine that the study knows.
+/// What computes. A line here is an engine that the study knows. `auto` is the wide engine wherever
+/// it applies, and what it leaves to the clear kernels they do.
 struct NumberChoice {
     const char* name;
     Numeric numeric;
-    std::optional<IntersectMethod> intersect = {};
+    IntersectMethod intersect;
 };
-const NumberChoice choices[] = {
-    {"dsp32", Numeric::dsp32}, {"float", Numeric::single}, {"double", Numeric::twice}};
+const NumberChoice choices[] = {{"dsp32", Numeric::dsp32, IntersectMethod::heap},
+                                {"float", Numeric::single, IntersectMethod::heap},
+                                {"wide", Numeric::single, IntersectMethod::automatic},
+                                {"double", Numeric::twice, IntersectMethod::heap}};
 
-RenderResult render_as(const std::string& path, VolumeKind volume, const NumberChoice& choice,
-                       const UnitControl& control, int threads) {
+RenderRequest request_for(const StabilityCase& one, const std::string& path,
+                          const NumberChoice& choice, int threads) {
     RenderRequest request;
     request.scene_path = path;
     request.threads = threads;
     request.overrides.numeric = choice.numeric;
     request.overrides.intersect = choice.intersect;
-    request.overrides.volume = volume;
-    return render_unit(request, control);
+    request.overrides.volume = one.volume;
+    request.overrides.size = one.size;
+    request.cell_cap = one.cell_cap;
+    return request;
+}
+
+/// What the pictures of a case are judged by.
+RenderResult reference_for(const StabilityCase& one, const std::string& path,
+                           const UnitControl& control) {
+    RenderResult result = render_extended(request_for(one, path, choices[0], 1), control.run);
+    if (result.stopped) throw StudyStopped{};
+    return result;
+}
+
+/// A pixel whose reference was given up is wrong: nobody knows what it shows.
+std::vector<char> wrong_pixels(const Deviation& deviation, const RenderResult& reference) {
+    std::vector<char> wrong = deviation.wrong;
+    for (std::size_t i = 0; i < wrong.size(); ++i)
+        if (reference.frame.pixels[i].alarms & alarm_capped) wrong[i] = 1;
+    return wrong;
+}
+
+double share_of(const std::vector<char>& marks) {
+    return static_cast<double>(std::ranges::count(marks, 1)) /
+           static_cast<double>(std::max<std::size_t>(1, marks.size()));
 }
 
 /// Wrong pixels that no alarm of the pixel's own tells of.
-double missed_share(const RenderResult& picture, const std::vector<char>& wrong) {
-    double missed = 0;
+double missed_share(const RenderResult& picture, std::vector<char> wrong) {
     for (std::size_t i = 0; i < wrong.size(); ++i)
-        missed += wrong[i] && picture.frame.pixels[i].alarms == 0;
-    return missed / static_cast<double>(std::max<std::size_t>(1, wrong.size()));
+        if (picture.frame.pixels[i].alarms != 0) wrong[i] = 0;
+    return share_of(wrong);
 }
 
 bool any_alarm(const RenderResult& picture) {
@@ -57,24 +85,32 @@ const char* grade_of(double wrong_share, bool alarmed) {
     return alarmed ? "reported" : "silent";
 }
 
-Json compared(const RenderResult& picture, const RenderResult& reference, double scale) {
-    const Deviation d = deviation_of(picture, reference, scale);
-    const Statistics& s = picture.statistics;
+Json counts_json(const Statistics& s) {
     Json alarms = Json::object();
     for (const Alarm& alarm : s.alarms)
         if (alarm.count > 0) alarms[alarm.name] = alarm.count;
-    return {{"wrong_share", d.wrong_share},
-            {"missed_share", missed_share(picture, d.wrong)},
-            {"worst_depth_pixels", d.worst_depth},
-            {"grade", grade_of(d.wrong_share, any_alarm(picture))},
-            {"alarms", alarms},
+    return {{"alarms", alarms},
+            {"pixels", s.rays.pixels},
+            {"engine", s.intersect},
             {"hits", s.rays.hits},
+            {"overflowed_pixels", s.rays.overflowed_pixels},
             {"heap_overflows", s.rays.heap_overflows},
             {"restarts", s.rays.restarts},
             {"capped_rays", s.rays.capped_rays},
             {"cells_per_ray", static_cast<double>(s.rays.volumes_tested) /
                                   static_cast<double>(std::max<std::uint64_t>(1, s.rays.pixels))},
             {"host", {{"render_seconds", s.seconds.render}}}};
+}
+
+Json compared(const RenderResult& picture, const RenderResult& reference) {
+    const Deviation d = deviation_of(picture, reference);
+    const std::vector<char> wrong = wrong_pixels(d, reference);
+    Json json = {{"wrong_share", share_of(wrong)},
+                 {"missed_share", missed_share(picture, wrong)},
+                 {"worst_depth_pixels", d.worst_depth},
+                 {"grade", grade_of(share_of(wrong), any_alarm(picture))}};
+    json.update(counts_json(picture.statistics));
+    return json;
 }
 
 /// A scene that is refused has said so.
@@ -87,34 +123,45 @@ Json refused(const Error& error) {
             {"message", error.what()}};
 }
 
+/// The files of a case: the scene, and its twin with all lengths times `twin_unit`.
+struct CaseFiles {
+    std::string scene;
+    std::string twin;
+};
+
+/// Pixels of double that the twin's roundings change: the host's part of the error, which the
+/// reference shares.
+double twin_share(const StabilityCase& one, const CaseFiles& files, const RenderResult& picture,
+                  const NumberChoice& choice, int threads, const UnitControl& control) {
+    const RenderResult twin = render_unit(request_for(one, files.twin, choice, threads), control);
+    return deviation_of(picture, twin, twin_unit).wrong_share;
+}
+
 Json measure_case(const StabilityCase& one, const std::string& name, int threads,
                   const UnitControl& control) {
-    const std::string path = control.folder + "/" + name + ".pxm";
-    const std::string twin_path = control.folder + "/" + name + "-twin.pxm";
-    write_text_safely(path, one.text(1));
-    write_text_safely(twin_path, one.text(twin_unit));
-    const NumberChoice& exact = choices[std::size(choices) - 1];
+    const CaseFiles files{control.folder + "/" + name + ".pxm",
+                          control.folder + "/" + name + "-twin.pxm"};
+    write_text_safely(files.scene, one.text(1));
+    write_text_safely(files.twin, one.text(twin_unit));
     Json results = Json::array();
     std::optional<RenderResult> reference;
-    for (auto choice = std::rbegin(choices); choice != std::rend(choices); ++choice) {
+    for (const NumberChoice& choice : choices) {
         Json result = {{"name", one.name},
                        {"family", one.family},
                        {"value", one.value},
                        {"scene", name + ".pxm"},
-                       {"numeric", choice->name}};
+                       {"numeric", choice.name}};
         try {
-            const RenderResult picture = render_as(path, one.volume, *choice, control, threads);
-            if (!reference) {
-                reference = picture;
-                result.update(compared(
-                    picture, render_as(twin_path, one.volume, exact, control, threads), twin_unit));
-            } else {
-                result.update(compared(picture, *reference, 1));
-            }
+            if (!reference) reference = reference_for(one, files.scene, control);
+            const RenderResult picture =
+                render_unit(request_for(one, files.scene, choice, threads), control);
+            result.update(compared(picture, *reference));
+            if (choice.numeric == Numeric::twice)
+                result["twin_share"] = twin_share(one, files, picture, choice, threads, control);
         } catch (const Error& error) {
             result.update(refused(error));
         }
-        results.insert(results.begin(), result);
+        results.push_back(result);
     }
     return results;
 }
@@ -134,13 +181,16 @@ StudyPlan plan_stability(const StudyRequest& request) {
                                {"pxm", PXM_VERSION},
                                {"case", one.name},
                                {"volume", static_cast<int>(one.volume)},
+                               {"cell_cap", one.cell_cap.value_or(0)},
                                {"scene", one.text(1)}},
                               [=, threads = request.threads](const UnitControl& control) {
                                   return measure_case(one, name, threads, control);
                               }});
     }
     plan.assemble = [](const std::vector<Json>& results) {
-        Json data = {{"right_share", right_share}, {"degraded_share", degraded_share}};
+        Json data = {{"right_share", right_share},
+                     {"degraded_share", degraded_share},
+                     {"reference", {{"numeric", "long double"}, {"mantissa_bits", mantissa_bits}}}};
         data["cases"] = Json::array();
         for (const Json& result : results)
             for (const Json& one : result) data["cases"].push_back(one);

@@ -1,7 +1,9 @@
 // The stiff and extreme scenes of the stability study, as texts. One table: a case is a line.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ struct StabilityCase {
     /// Volumes are part of the picture: those that the scene would be given may change with its
     /// scale.
     VolumeKind volume = VolumeKind::sphere;
+    /// Hopeless scenes get few pixels and an early end: absent are 64x48 pixels and the usual cap.
+    std::optional<PixelSize> size;
+    std::optional<std::uint32_t> cell_cap;
     /// The scene with all lengths of the world multiplied by `unit`: the same picture in exact
     /// numbers, other roundings.
     std::function<std::string(double unit)> text;
