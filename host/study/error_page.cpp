@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/study/page.hpp"
 #include "host/study/plot.hpp"
 #include "host/study/study_scene.hpp"
@@ -18,6 +20,14 @@ std::string shown(const Json& value) {
     return value.is_null() ? "-" : number_text(value.get<double>());
 }
 
+/// Short enough to stand beside a mark: `--samples 4 --detail 2` is `samples 4, detail 2`.
+std::string label_of(const std::string& name) {
+    std::string label = name.substr(name.starts_with("--") ? 2 : 0);
+    for (auto at = label.find(" --"); at != label.npos; at = label.find(" --"))
+        label.replace(at, 3, ", ");
+    return label;
+}
+
 /// `time` and `mark` choose the machine or the host.
 std::string diagram(const Json& scene, const char* title, const char* time, const char* mark) {
     LinePlot plot;
@@ -26,7 +36,7 @@ std::string diagram(const Json& scene, const char* title, const char* time, cons
     plot.x.scale = AxisScale::logarithmic;
     plot.y.label = "RMSE of colour";
     plot.y.scale = AxisScale::logarithmic;
-    PlotSeries front{"best for their time", {}, false};
+    PlotSeries front{"best for their time", {}};
     PlotSeries others{"others", {}, false};
     for (const Json& point : scene["points"]) {
         if (point[time].is_null()) continue;
@@ -37,8 +47,9 @@ std::string diagram(const Json& scene, const char* title, const char* time, cons
                  fmt::format("{}\n{} s, RMSE {:.5f}\nwrong hits {:.2f} %", name_of(point),
                              shown(point[time]), point["rmse"].get<double>(),
                              100 * point["wrong_hits"].get<double>()),
-                 pareto});
+                 pareto, pareto ? label_of(name_of(point)) : ""});
     }
+    std::ranges::sort(front.points, {}, &PlotPoint::x);
     plot.series = {front, others};
     return svg_of(plot);
 }

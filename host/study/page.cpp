@@ -26,7 +26,7 @@ svg { max-width: 760px; width: 100%; height: auto; font: 12px Georgia, serif; di
 figure { margin: 1em 0; }
 figure img { width: 100%; image-rendering: pixelated; border: 1px solid #ccd; display: block; }
 figcaption { font-size: 13px; }
-.title { font-size: 14px; font-weight: 600; }
+.title { font-size: 14px; font-weight: 600; } .label { font-size: 10.5px; fill: #3a4660; }
 .axis { stroke: #14213d; } .grid { stroke: #e3e6ee; } .mean { stroke: #d1495b; stroke-dasharray: 5 3; }
 .bar { fill: #3d5a80; } .bar:hover, .cell:hover { stroke: #d1495b; stroke-width: 2; }
 .cell { stroke: #fff; stroke-width: .5; } .hit { fill: transparent; stroke: none; }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "host/study/plot_labels.hpp"
+
 namespace pxm::host {
 
 namespace {
@@ -139,16 +141,37 @@ std::string series_of(const PlotSeries& series, const Mapping& x, const Mapping&
     return svg;
 }
 
+/// The names of the points that have one. Marks come first, so that no label hides one.
+std::string labels_of(const std::vector<PlotSeries>& all, const Mapping& x, const Mapping& y) {
+    LabelPlacer placer({left + 4, top, width, bottom_line});
+    for (const PlotSeries& series : all)
+        for (const PlotPoint& p : series.points) placer.mark(x(p.x), y(p.y));
+    std::string svg;
+    for (const PlotSeries& series : all) {
+        for (const PlotPoint& p : series.points) {
+            if (p.label.empty()) continue;
+            const auto place = placer.place(x(p.x), y(p.y), p.label);
+            if (place)
+                svg += text_at(place->x, place->y, place->anchor, p.label, " class=\"label\"");
+        }
+    }
+    return svg;
+}
+
 std::string legend(const std::vector<PlotSeries>& series) {
     std::string svg;
     double y = top + 8;
     for (std::size_t i = 0; i < series.size(); ++i, y += 18) {
         const Style& style = styles[i % std::size(styles)];
-        svg += fmt::format(
-            "<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{2:.1f}\" y2=\"{1:.1f}\" stroke=\"{3}\" "
-            "stroke-width=\"2\" stroke-dasharray=\"{4}\"/>\n",
-            right_line + 10, y - 4, right_line + 34, style.color,
-            series[i].line ? style.dashes : "2 2");
+        if (series[i].line) {
+            svg += fmt::format(
+                "<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{2:.1f}\" y2=\"{1:.1f}\" stroke=\"{3}\" "
+                "stroke-width=\"2\" stroke-dasharray=\"{4}\"/>\n",
+                right_line + 10, y - 4, right_line + 34, style.color, style.dashes);
+        } else {
+            svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n",
+                               right_line + 22, y - 4, style.color);
+        }
         svg += text_at(right_line + 40, y, "start", series[i].name);
     }
     return svg;
@@ -171,47 +194,6 @@ bool can_show(const PlotAxis& axis, double value) {
 }
 
 }  // namespace
-
-std::string number_text(double value) {
-    if (value == 0) return "0";
-    if (!std::isfinite(value)) return value > 0 ? "inf" : value < 0 ? "-inf" : "nan";
-    const double size = std::abs(value);
-    if (size < 1e-4 || size >= 1e9) return fmt::format("{:.3g}", value);
-    if (size < 1000) return fmt::format("{:.4g}", value);
-    const std::string digits = fmt::format("{:.0f}", size);
-    std::string grouped(value < 0 ? 1 : 0, '-');
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) grouped += ',';
-        grouped += digits[i];
-    }
-    return grouped;
-}
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            case '\n':
-                result += "&#10;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
 
 ScaleColor scale_color(double share) {
     // Lightness falls all the way, so that the scale survives a grey print.
@@ -245,7 +227,7 @@ std::string svg_of(const LinePlot& plot) {
     std::string svg = opening(width, height, plot.title) + x_axis(plot.x, x) + y_axis(plot.y, y);
     for (std::size_t i = 0; i < shown.size(); ++i)
         svg += series_of(shown[i], x, y, styles[i % std::size(styles)]);
-    return svg + legend(shown) + "</svg>\n";
+    return svg + labels_of(shown, x, y) + legend(shown) + "</svg>\n";
 }
 
 std::string svg_of(const BarPlot& plot) {
