@@ -157,6 +157,10 @@ std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Fra
              "pixels show the nearest cell known when their ray was given up"},
             {"not_finite", count_pixels(frame, alarm_not_finite),
              "pixels have a depth, colour or normal that is no number"},
+            {"overflow", count_pixels(frame, alarm_overflow),
+             fmt::format("pixels met a cell whose numbers are beyond the range of {}: it may be "
+                         "missed",
+                         name)},
             {"steep_maps", count_maps(scene, steep),
              fmt::format("maps squash so much that {} misplaces some of their cells", name)},
             {"flat_maps", count_maps(scene, flat),

@@ -30,7 +30,7 @@ template <class Real>
 void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& block,
                   const kernels::PixelResult<Real>& result, PixelRecord& pixel,
                   RayStatistics& rays) {
-    rays.overflowed_pixels += take_overflow<Real>() ? 1 : 0;
+    const bool overflowed = take_overflow<Real>();
     const auto number = [](Real x) { return static_cast<float>(to_double(x)); };
     pixel.color[0] = number(result.color.x);
     pixel.color[1] = number(result.color.y);
@@ -59,6 +59,7 @@ void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& 
         pixel.word = word_hash(result.found.cell);
     }
     if (result.counts.capped > 0) pixel.alarms |= alarm_capped;
+    if (overflowed) pixel.alarms |= alarm_overflow;
     ++rays.pixels;
     rays.eye_rays += scene.samples.size();
     rays.light_rays += result.rays.light;

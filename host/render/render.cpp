@@ -147,7 +147,10 @@ RenderResult render(const RenderRequest& request, const RunControl& control) {
     result.pixel_at_eye = prepared.compiled.camera.pixel_at_eye * prepared.compiled.unit * coarser;
     result.pixel_growth = prepared.compiled.camera.pixel_growth * coarser;
     result.frame = std::move(run.frame);
-    result.statistics.alarms = raise_alarms(prepared.compiled, choice.numeric, result.frame);
+    // The wide engine places cells in double; in float is only what tells a tile's rays apart.
+    const Numeric places =
+        intersect.method == IntersectMethod::wide ? Numeric::twice : choice.numeric;
+    result.statistics.alarms = raise_alarms(prepared.compiled, places, result.frame);
     result.warnings += alarm_text(result.statistics.alarms);
     Statistics& statistics = result.statistics;
     statistics.scene = request.scene_path;

@@ -16,7 +16,6 @@ void RayStatistics::add(const RayStatistics& other) {
     heap_overflows += other.heap_overflows;
     restarts += other.restarts;
     capped_rays += other.capped_rays;
-    overflowed_pixels += other.overflowed_pixels;
 }
 
 }  // namespace pxm::host

@@ -18,7 +18,7 @@ h1, h2, h3 { font-weight: 600; line-height: 1.2; }
 h2 { border-top: 2px solid #14213d; padding-top: .5em; margin-top: 2em; }
 table { border-collapse: collapse; margin: 1em 0; font-size: 14px; }
 th, td { padding: .2em .7em; text-align: right; border-bottom: 1px solid #ccd; }
-th:first-child, td:first-child { text-align: left; }
+th:first-child, td:first-child { text-align: left; white-space: nowrap; }
 .wide { overflow-x: auto; }
 svg { max-width: 760px; width: 100%; height: auto; font: 12px Georgia, serif; display: block; }
 .row { display: flex; flex-wrap: wrap; gap: 1.5em; align-items: flex-start; }

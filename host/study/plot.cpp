@@ -99,11 +99,17 @@ std::string opening(double w, double h, const std::string& title) {
            text_at(0, 16, "start", title, " class=\"title\"");
 }
 
+/// Large powers of ten have many digits, which would meet along an axis.
+std::string tick_text(const PlotAxis& axis, double value) {
+    const bool power = axis.scale == AxisScale::logarithmic && axis.ticks.empty();
+    return power && value >= 1e5 ? fmt::format("1e{:.0f}", std::log10(value)) : number_text(value);
+}
+
 std::string x_axis(const PlotAxis& axis, const Mapping& map) {
     std::string svg = line_between(left, bottom_line, right_line, bottom_line, "axis");
     for (const double tick : axis.ticks.empty() ? map.ticks() : axis.ticks) {
         svg += line_between(map(tick), bottom_line, map(tick), bottom_line + 4, "axis");
-        svg += text_at(map(tick), bottom_line + 17, "middle", number_text(tick));
+        svg += text_at(map(tick), bottom_line + 17, "middle", tick_text(axis, tick));
     }
     return svg + text_at((left + right_line) / 2, height - 8, "middle", axis.label);
 }
@@ -112,7 +118,7 @@ std::string y_axis(const PlotAxis& axis, const Mapping& map) {
     std::string svg = line_between(left, top, left, bottom_line, "axis");
     for (const double tick : axis.ticks.empty() ? map.ticks() : axis.ticks) {
         svg += line_between(left, map(tick), right_line, map(tick), "grid");
-        svg += text_at(left - 6, map(tick) + 4, "end", number_text(tick));
+        svg += text_at(left - 6, map(tick) + 4, "end", tick_text(axis, tick));
     }
     return svg + text_at(-(top + bottom_line) / 2, 14, "middle", axis.label,
                          " transform=\"rotate(-90)\"");

@@ -93,7 +93,7 @@ Json counts_json(const Statistics& s) {
             {"pixels", s.rays.pixels},
             {"engine", s.intersect},
             {"hits", s.rays.hits},
-            {"overflowed_pixels", s.rays.overflowed_pixels},
+            {"overflowed_pixels", alarms.value("overflow", 0)},
             {"heap_overflows", s.rays.heap_overflows},
             {"restarts", s.rays.restarts},
             {"capped_rays", s.rays.capped_rays},

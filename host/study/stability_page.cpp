@@ -44,12 +44,40 @@ std::string numbers_text(const Json& one) {
     return left ? "wide (left to float)" : numeric;
 }
 
+std::string grade_text(const Json& one) {
+    if (one.contains("exit_code")) return fmt::format("refused, exit {}", one["exit_code"].dump());
+    const std::string grade = text(one, "grade");
+    if (real(one, "wrong_share") == 0) return grade;
+    return fmt::format("{}, {:.2f} %", grade, 100 * real(one, "wrong_share"));
+}
+
+/// A row a case, a column for each of the numbers.
+PageTable overview_table(const Json& data) {
+    PageTable table{{"case"}, {}};
+    for (const Json& one : data["cases"]) {
+        const std::string numeric = text(one, "numeric");
+        if (std::ranges::find(table.columns, numeric) == table.columns.end())
+            table.columns.push_back(numeric);
+        if (table.rows.empty() || table.rows.back()[0] != text(one, "name"))
+            table.rows.push_back({text(one, "name")});
+        table.rows.back().push_back(grade_text(one));
+    }
+    return table;
+}
+
+/// Nothing to tell: right, and without alarms and restarts.
+bool is_quiet(const Json& one) {
+    return text(one, "grade") == "right" && one["alarms"].empty() && real(one, "restarts") == 0;
+}
+
+/// Everything known of the cases in which something happened.
 PageTable case_table(const Json& data) {
     PageTable table{
         {"case", "numbers", "grade", "wrong pixels", "of them no alarm", "worst depth, pixels",
          "pixels with overflow", "restarts", "cells a ray", "host s", "alarms"},
         {}};
     for (const Json& one : data["cases"]) {
+        if (one.contains("exit_code") || is_quiet(one)) continue;
         table.rows.push_back({text(one, "name"), numbers_text(one), text(one, "grade"),
                               fmt::format("{:.2f} %", 100 * real(one, "wrong_share")),
                               fmt::format("{:.2f} %", 100 * real(one, "missed_share")),
@@ -168,6 +196,8 @@ std::string stability_page(const Json& data, const std::string&) {
     page.table(grade_table(data));
     for (const char* family : {"zoom", "contraction", "squash"})
         page.plot(family_plot(data, family));
+    page.table(overview_table(data));
+    page.heading("Cases with alarms, restarts or wrong pixels");
     page.table(case_table(data));
     return page.html();
 }

@@ -8,7 +8,7 @@ namespace {
 
 template <typename T>
 class RealNumbers : public testing::Test {};
-using Types = testing::Types<float, double, dsp32::Float>;
+using Types = testing::Types<float, double, long double, dsp32::Float>;
 TYPED_TEST_SUITE(RealNumbers, Types);
 
 static_assert(Real<float> && Real<double> && Real<dsp32::Float> && !Real<int>);
@@ -56,6 +56,12 @@ TEST(Real, a_double_is_encoded_with_the_sign_first) {
     EXPECT_EQ(encode(-2.0), (EncodedReal<double>{0xC0000000U, 0U}));
     EXPECT_EQ(encode(1.0F), (EncodedReal<float>{0x3F800000U}));
     EXPECT_EQ(encode(dsp32::Float{-1}), (EncodedReal<dsp32::Float>{0x8000007FU}));
+}
+
+TEST(Real, a_long_double_keeps_what_a_double_has_no_bits_for) {
+    const long double fine = 1.0L + std::numeric_limits<long double>::epsilon();
+    EXPECT_EQ(decode<long double>(encode(fine)), fine);
+    EXPECT_LE(std::numeric_limits<long double>::epsilon(), std::numeric_limits<double>::epsilon());
 }
 
 TEST(Real, the_machine_chops_where_ieee_rounds) {
