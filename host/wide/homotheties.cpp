@@ -138,6 +138,21 @@ void tabulate(WideScene& scene, int index) {
     set.grandchildren = std::move(both);
 }
 
+/// The fixed points of the maps, if the attractor is inside of their hull, and the hull a cull.
+std::vector<glm::dvec3> hull_points(const WideScene& scene, const WideObject& object) {
+    constexpr double outside = 1 + rounding;
+    const WideSet& set = scene.sets[static_cast<std::size_t>(object.set)];
+    const bool alone = std::ranges::all_of(set.sets, [&](int s) { return s == object.set; });
+    if (!object.spheres || !alone || object.levels != kernels::unlimited_levels) return {};
+    std::vector<glm::dvec3> points;
+    for (const Step& step : steps_of(scene, object.set)) {
+        points.push_back(step.center / (1 - step.scale));
+        if (glm::length(points.back()) > outside) return {};  // a ball that bounds nothing
+    }
+    if (points.size() > WideObject::most_hull_points) return {};
+    return points;
+}
+
 }  // namespace
 
 bool has_fixed_direction(const CompiledScene& scene, const CompiledObject& object) {
@@ -159,6 +174,9 @@ bool has_fixed_direction(const CompiledScene& scene, const CompiledObject& objec
 }
 
 void tabulate_homotheties(WideScene& scene) {
+    for (WideObject& object : scene.objects) {
+        if (object.fixed_direction) object.hull = hull_points(scene, object);
+    }
     std::vector<bool> done(scene.sets.size(), false);
     std::vector<int> waiting;
     for (const WideObject& object : scene.objects) {

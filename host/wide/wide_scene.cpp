@@ -122,14 +122,6 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
     if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
     if (needs_covers(scene)) return "local covers and translucent objects are the clear kernels'";
-    if (needs_shadows(scene)) return "shadows are the clear kernels'";
-    if (needs_mirrors(scene)) return "mirrors are the clear kernels'";
-    if (!scene.planes.empty()) return "planes are the clear kernels'";
-    const bool points = std::ranges::any_of(scene.lights, [](const CompiledLight& light) {
-        return light.kind == kernels::LightKind::point;
-    });
-    if (points) return "point lights are the clear kernels'";
-    if (scene.samples.size() > 1) return "several samples a pixel are the clear kernels'";
     for (const CompiledObject& object : scene.objects) {
         const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
         const std::string reason = why_not(shape);
@@ -190,6 +182,7 @@ WideScene make_wide_scene(const CompiledScene& scene) {
             std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
         result.color = floats(object.color);
         result.diffuse = static_cast<float>(object.diffuse);
+        result.reflect = static_cast<float>(object.reflect);
         result.center = object.instance.point(volume.center);
         result.radius = lipschitz_constant(object.instance) * volume.radius;
         result.fixed_direction = has_fixed_direction(scene, object);

@@ -98,8 +98,13 @@ struct WideObject {
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
     bool fixed_direction = false;
+    /// Corners of the attractor's hull in unit coordinates, if it serves as a cull
+    /// (host/wide/hull_shadow.inl).
+    static constexpr std::size_t most_hull_points = 32;
+    std::vector<glm::dvec3> hull;
     std::array<float, 3> color{};
     float diffuse = 0;
+    float reflect = 0;
 };
 
 struct WideScene {
