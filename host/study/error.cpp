@@ -9,6 +9,7 @@
 #include "host/study/deviation.hpp"
 #include "host/study/error_page.hpp"
 #include "host/study/error_settings.hpp"
+#include "host/study/pareto.hpp"
 #include "host/study/study_scene.hpp"
 
 namespace pxm::host {
@@ -106,55 +107,6 @@ Json measure_if_allowed(const std::string& scene, const ErrorSetting& setting,
     }
 }
 
-/// Marks the points that no other beats in both time and error, and names what beats the others.
-void mark_pareto(Json& points, const char* time, const char* mark, const char* by) {
-    for (Json& point : points) {
-        point[mark] = !point[time].is_null();
-        point[by] = nullptr;
-        for (const Json& other : points) {
-            if (point[time].is_null() || other[time].is_null()) continue;
-            const double t = other[time].get<double>() - point[time].get<double>();
-            const double e = other["rmse"].get<double>() - point["rmse"].get<double>();
-            if (t > 0 || e > 0 || (t == 0 && e == 0)) continue;
-            point[mark] = false;
-            if (point[by].is_null()) point[by] = other["settings"]["name"];
-        }
-    }
-}
-
-/// The point of least `least` among those whose `bounded` is at most `bound`; null if none is.
-const Json* best(const Json& points, const char* least, const char* bounded, double bound) {
-    const Json* found = nullptr;
-    for (const Json& point : points) {
-        if (point[least].is_null() || point[bounded].is_null()) continue;
-        if (point[bounded].get<double>() > bound) continue;
-        if (!found || point[least].get<double>() < (*found)[least].get<double>()) found = &point;
-    }
-    return found;
-}
-
-std::string spoken(const Json& point) {
-    return fmt::format(
-        "`{}` ({:.3g} s on the machine, RMSE {:.4f})", point["settings"]["name"].get<std::string>(),
-        point["machine_seconds"].is_null() ? NAN : point["machine_seconds"].get<double>(),
-        point["rmse"].get<double>());
-}
-
-std::string advice_for(const Json& points) {
-    const Json& base = points[0];
-    const Json* most_exact = best(points, "rmse", "machine_seconds", INFINITY);
-    if (!most_exact) return "for this scene: it does not fit the machine";
-    const Json* as_good = best(points, "machine_seconds", "rmse", base["rmse"].get<double>());
-    const double halfway =
-        std::sqrt(base["rmse"].get<double>() * (*most_exact)["rmse"].get<double>());
-    const Json* middle = best(points, "machine_seconds", "rmse", halfway);
-    return fmt::format(
-        "for this scene: as good as the default, fastest: {}; most of the way to the best: {}; the "
-        "best: {}",
-        spoken(as_good ? *as_good : base), spoken(middle ? *middle : *most_exact),
-        spoken(*most_exact));
-}
-
 Json scene_json(const std::string& scene, const Json& results, const StudyRequest& study) {
     Json points = Json::array();
     Json refused = Json::array();
@@ -168,12 +120,12 @@ Json scene_json(const std::string& scene, const Json& results, const StudyReques
         {"size", {size.columns, size.rows}},
         {"reference", {{"numeric", "double"}, {"samples", 64}, {"detail", 0.1}, {"heap", 65'536}}}};
     if (study.budget_seconds) {
-        const Json* point = best(points, "rmse", "host_seconds", *study.budget_seconds);
+        const Json* point = best_point(points, "rmse", "host_seconds", *study.budget_seconds);
         json["budget"] = {{"seconds", *study.budget_seconds},
                           {"settings", point ? (*point)["settings"]["name"] : Json(nullptr)}};
     }
     if (study.target_error) {
-        const Json* point = best(points, "host_seconds", "rmse", *study.target_error);
+        const Json* point = best_point(points, "host_seconds", "rmse", *study.target_error);
         json["target"] = {{"rmse", *study.target_error},
                           {"settings", point ? (*point)["settings"]["name"] : Json(nullptr)}};
     }

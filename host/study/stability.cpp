@@ -8,6 +8,7 @@
 #include "host/output/safe_file.hpp"
 #include "host/study/deviation.hpp"
 #include "host/study/extended.hpp"
+#include "host/study/grade.hpp"
 #include "host/study/stability_cases.hpp"
 #include "host/study/stability_page.hpp"
 #include "host/study/study_scene.hpp"
@@ -16,8 +17,6 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double right_share = 0.001;    // of wrong pixels: design decision 4
-constexpr double degraded_share = 0.02;  // more is a failure
 constexpr int mantissa_bits = std::numeric_limits<long double>::digits;
 constexpr double twin_unit = 3;  // no power of 2: everything is rounded otherwise
 
@@ -54,35 +53,9 @@ RenderResult reference_for(const StabilityCase& one, const std::string& path,
     return result;
 }
 
-/// A pixel whose reference was given up is wrong: nobody knows what it shows.
-std::vector<char> wrong_pixels(const Deviation& deviation, const RenderResult& reference) {
-    std::vector<char> wrong = deviation.wrong;
-    for (std::size_t i = 0; i < wrong.size(); ++i)
-        if (reference.frame.pixels[i].alarms & alarm_capped) wrong[i] = 1;
-    return wrong;
-}
-
-double share_of(const std::vector<char>& marks) {
-    return static_cast<double>(std::ranges::count(marks, 1)) /
-           static_cast<double>(std::max<std::size_t>(1, marks.size()));
-}
-
-/// Wrong pixels that no alarm of the pixel's own tells of.
-double missed_share(const RenderResult& picture, std::vector<char> wrong) {
-    for (std::size_t i = 0; i < wrong.size(); ++i)
-        if (picture.frame.pixels[i].alarms != 0) wrong[i] = 0;
-    return share_of(wrong);
-}
-
 bool any_alarm(const RenderResult& picture) {
     return std::ranges::any_of(picture.statistics.alarms,
                                [](const Alarm& alarm) { return alarm.count > 0; });
-}
-
-const char* grade_of(double wrong_share, bool alarmed) {
-    if (wrong_share <= right_share) return "right";
-    if (wrong_share <= degraded_share) return "degraded";
-    return alarmed ? "reported" : "silent";
 }
 
 Json counts_json(const Statistics& s) {
