@@ -17,6 +17,7 @@ namespace pxm::host {
 namespace {
 
 const PixelSize default_size{160, 128};
+constexpr std::uint32_t cell_cap = 20'000;  // of the settings: hopeless ones shall end
 
 /// A scene's references, rendered when the first of its settings is measured.
 struct References {
@@ -73,7 +74,8 @@ Json host_seconds(const RenderRequest& request, int repeats, const UnitControl& 
 Json measure_setting(const std::string& scene, const ErrorSetting& setting,
                      const StudyRequest& study, const References& references,
                      const UnitControl& control) {
-    const RenderRequest request = request_for(scene, setting.overrides, study);
+    RenderRequest request = request_for(scene, setting.overrides, study);
+    request.cell_cap = cell_cap;
     std::optional<RenderResult> picture;
     Json result = {{"settings", {{"name", setting.name}}}};
     result["machine_seconds"] = nullptr;
@@ -82,6 +84,7 @@ Json measure_setting(const std::string& scene, const ErrorSetting& setting,
     result.update(host_seconds(request, study.repeats, control, picture));
     const Deviation color = deviation_of(*picture, *references.color);
     const Deviation depth = deviation_of(*picture, *references.depth);
+    result["capped_rays"] = picture->statistics.rays.capped_rays;
     result["rmse"] = color.rmse;
     result["color_99"] = color.color_99;
     result["perceived"] = color.perceived;
@@ -118,6 +121,7 @@ Json scene_json(const std::string& scene, const Json& results, const StudyReques
     Json json = {
         {"scene", scene},
         {"size", {size.columns, size.rows}},
+        {"cell_cap", cell_cap},
         {"reference", {{"numeric", "double"}, {"samples", 64}, {"detail", 0.1}, {"heap", 65'536}}}};
     if (study.budget_seconds) {
         const Json* point = best_point(points, "rmse", "host_seconds", *study.budget_seconds);

@@ -56,7 +56,7 @@ std::string diagram(const Json& scene, const char* title, const char* time, cons
 
 PageTable point_table(const Json& scene) {
     PageTable table{{"settings", "machine s", "host s (spread)", "RMSE", "99 %", "perceived",
-                     "wrong hits", "depth error, pixels", "beaten by"},
+                     "wrong hits", "depth error, pixels", "rays given up", "beaten by"},
                     {}};
     for (const Json& point : scene["points"]) {
         table.rows.push_back(
@@ -69,6 +69,7 @@ PageTable point_table(const Json& scene) {
              fmt::format("{:.2f} %", 100 * point["perceived"].get<double>()),
              fmt::format("{:.2f} %", 100 * point["wrong_hits"].get<double>()),
              fmt::format("{:.3f}", point["depth_error_pixels"].get<double>()),
+             point["capped_rays"] == 0 ? "" : number_text(point["capped_rays"].get<double>()),
              point["dominated_by"].is_null() ? "" : point["dominated_by"].get<std::string>()});
     }
     return table;
@@ -84,18 +85,18 @@ void add_choice(Page& page, const Json& scene, const char* key, const char* what
 }  // namespace
 
 std::vector<TextFile> error_tables(const Json& data) {
-    PageTable table{
-        {"scene", "settings", "machine_seconds", "host_seconds", "host_low", "host_high", "rmse",
-         "color_99", "perceived", "wrong_hits", "depth_error_pixels", "pareto", "pareto_host"},
-        {}};
+    PageTable table{{"scene", "settings", "machine_seconds", "host_seconds", "host_low",
+                     "host_high", "rmse", "color_99", "perceived", "wrong_hits",
+                     "depth_error_pixels", "capped_rays", "pareto", "pareto_host"},
+                    {}};
     for (const Json& scene : data["scenes"]) {
         for (const Json& p : scene["points"]) {
-            table.rows.push_back({scene["scene"].get<std::string>(), name_of(p),
-                                  p["machine_seconds"].dump(), p["host_seconds"].dump(),
-                                  p["host_spread"][0].dump(), p["host_spread"][1].dump(),
-                                  p["rmse"].dump(), p["color_99"].dump(), p["perceived"].dump(),
-                                  p["wrong_hits"].dump(), p["depth_error_pixels"].dump(),
-                                  p["pareto"].dump(), p["pareto_host"].dump()});
+            table.rows.push_back(
+                {scene["scene"].get<std::string>(), name_of(p), p["machine_seconds"].dump(),
+                 p["host_seconds"].dump(), p["host_spread"][0].dump(), p["host_spread"][1].dump(),
+                 p["rmse"].dump(), p["color_99"].dump(), p["perceived"].dump(),
+                 p["wrong_hits"].dump(), p["depth_error_pixels"].dump(), p["capped_rays"].dump(),
+                 p["pareto"].dump(), p["pareto_host"].dump()});
         }
     }
     return {{"points.csv", csv_of(table)}};
@@ -108,7 +109,9 @@ std::string error_page(const Json& data, const std::string&) {
         "stratified samples a pixel, cells ten times finer and no limit of the heap; hits and "
         "depths with the same along the ray through the pixel's middle. Machine time is counted; "
         "host time is the median of repeats in this run, with its spread, and means nothing "
-        "elsewhere. A setting is beaten if another is no slower and no less exact.");
+        "elsewhere. A setting is beaten if another is no slower and no less exact. "
+        "A ray is given up after 20,000 cells. A dash: it does not fit the machine, or is no "
+        "program of it.");
     for (const Json& scene : data["scenes"]) {
         page.heading(stem_of(scene["scene"].get<std::string>()));
         page.paragraph(scene["advice"].get<std::string>());

@@ -1,8 +1,7 @@
 #include "host/study/extended.hpp"
 
-#include <cassert>
-
 #include "host/render/gather.hpp"
+#include "host/render/instances.hpp"
 #include "host/render/native_node.hpp"
 
 namespace pxm::host {
@@ -10,7 +9,6 @@ namespace pxm::host {
 RenderResult render_extended(const RenderRequest& request, const RunControl& control) {
     using Real = long double;
     const CompiledScene scene = compiled_scene_of(request);
-    assert(needs_plain_features(scene));
     const std::vector<std::uint32_t> block = make_scene_block<Real>(scene);
     NativeNode<Real> node(block, scene.texture_words, scene.heap, sizeof(kernels::Cell<Real>));
     RenderResult result;
@@ -18,12 +16,15 @@ RenderResult render_extended(const RenderRequest& request, const RunControl& con
     const auto at = [](long v) { return static_cast<std::uint32_t>(v); };
     const kernels::PixelShare all{
         at(scene.crop.x0), at(scene.crop.y0), at(scene.crop.x1), at(scene.crop.y1), 1, 1};
-    kernels::pixel_program<kernels::plain_features>(
-        node, all, [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
-            gather_pixel(scene, block, pixel, result.frame.at(x, y), result.statistics.rays);
-            result.stopped = control.stop && *control.stop;
-            return !result.stopped;
-        });
+    const auto store = [&](std::uint32_t x, std::uint32_t y,
+                           const kernels::PixelResult<Real>& pixel) {
+        gather_pixel(scene, block, pixel, result.frame.at(x, y), result.statistics.rays);
+        result.stopped = control.stop && *control.stop;
+        return !result.stopped;
+    };
+    with_needed_features(scene, [&]<kernels::Features features>() {
+        kernels::pixel_program<features>(node, all, store);
+    });
     return result;
 }
 

@@ -6,8 +6,8 @@
 
 namespace pxm::host {
 
-/// Renders in long double on one thread. Scenes without shadows, mirrors and covers. p has the
-/// floor of double, so the picture is the one that double is after. Throws Error as a render does.
+/// Renders in long double on one thread. p has the floor of double, so the picture is the one that
+/// double is after. Throws Error as a render does.
 /// `stopped` if the render was given up.
 [[nodiscard]] RenderResult render_extended(const RenderRequest& request, const RunControl& control);
 

@@ -41,6 +41,7 @@ RenderRequest request_for(const StabilityCase& one, const std::string& path,
     request.overrides.intersect = choice.intersect;
     request.overrides.volume = one.volume;
     request.overrides.size = one.size;
+    request.overrides.samples = 1;
     request.cell_cap = one.cell_cap;
     return request;
 }
@@ -81,6 +82,7 @@ Json compared(const RenderResult& picture, const RenderResult& reference) {
     Json json = {{"wrong_share", share_of(wrong)},
                  {"missed_share", missed_share(picture, wrong)},
                  {"worst_depth_pixels", d.worst_depth},
+                 {"rmse", d.rmse},
                  {"grade", grade_of(share_of(wrong), any_alarm(picture))}};
     json.update(counts_json(picture.statistics));
     return json;
@@ -96,11 +98,20 @@ Json refused(const Error& error) {
             {"message", error.what()}};
 }
 
-/// The files of a case: the scene, and its twin with all lengths times `twin_unit`.
+/// The files of a case: the scene, and its twin with all lengths times `twin_unit`, of which a
+/// user's scene has none.
 struct CaseFiles {
     std::string scene;
     std::string twin;
 };
+
+CaseFiles files_of(const StabilityCase& one, const std::string& name, const std::string& folder) {
+    if (!one.path.empty()) return {one.path, ""};
+    const CaseFiles files{folder + "/" + name + ".pxm", folder + "/" + name + "-twin.pxm"};
+    write_text_safely(files.scene, one.text(1));
+    write_text_safely(files.twin, one.text(twin_unit));
+    return files;
+}
 
 /// Pixels of double that the twin's roundings change: the host's part of the error, which the
 /// reference shares.
@@ -112,24 +123,21 @@ double twin_share(const StabilityCase& one, const CaseFiles& files, const Render
 
 Json measure_case(const StabilityCase& one, const std::string& name, int threads,
                   const UnitControl& control) {
-    const CaseFiles files{control.folder + "/" + name + ".pxm",
-                          control.folder + "/" + name + "-twin.pxm"};
-    write_text_safely(files.scene, one.text(1));
-    write_text_safely(files.twin, one.text(twin_unit));
+    const CaseFiles files = files_of(one, name, control.folder);
     Json results = Json::array();
     std::optional<RenderResult> reference;
     for (const NumberChoice& choice : choices) {
         Json result = {{"name", one.name},
                        {"family", one.family},
                        {"value", one.value},
-                       {"scene", name + ".pxm"},
+                       {"scene", one.path.empty() ? name + ".pxm" : one.path},
                        {"numeric", choice.name}};
         try {
             if (!reference) reference = reference_for(one, files.scene, control);
             const RenderResult picture =
                 render_unit(request_for(one, files.scene, choice, threads), control);
             result.update(compared(picture, *reference));
-            if (choice.numeric == Numeric::twice)
+            if (choice.numeric == Numeric::twice && !files.twin.empty())
                 result["twin_share"] = twin_share(one, files, picture, choice, threads, control);
         } catch (const Error& error) {
             result.update(refused(error));
@@ -142,23 +150,24 @@ Json measure_case(const StabilityCase& one, const std::string& name, int threads
 }  // namespace
 
 StudyPlan plan_stability(const StudyRequest& request) {
-    if (!request.scenes.empty()) {
-        throw Error(ExitCode::command_line,
-                    "study stability: it makes its own scenes, give it none");
-    }
     StudyPlan plan;
-    for (const StabilityCase& one : stability_cases()) {
+    std::vector<StabilityCase> cases = stability_cases();
+    for (const std::string& scene : request.scenes) cases.push_back(case_of(scene, request.size));
+    for (const StabilityCase& one : cases) {
         const std::string name = fmt::format("case-{:02}", plan.units.size() + 1);
-        plan.units.push_back({name,
-                              {{"study", "stability"},
-                               {"pxm", PXM_VERSION},
-                               {"case", one.name},
-                               {"volume", static_cast<int>(one.volume)},
-                               {"cell_cap", one.cell_cap.value_or(0)},
-                               {"scene", one.text(1)}},
-                              [=, threads = request.threads](const UnitControl& control) {
-                                  return measure_case(one, name, threads, control);
-                              }});
+        const PixelSize size = one.size.value_or(PixelSize{});
+        plan.units.push_back(
+            {name,
+             {{"study", "stability"},
+              {"pxm", PXM_VERSION},
+              {"case", one.name},
+              {"size", {size.columns, size.rows}},
+              {"volume", static_cast<int>(one.volume.value_or(VolumeKind{}))},
+              {"cell_cap", one.cell_cap.value_or(0)},
+              {"scene", one.path.empty() ? one.text(1) : fingerprint_of(one.path)}},
+             [=, threads = request.threads](const UnitControl& control) {
+                 return measure_case(one, name, threads, control);
+             }});
     }
     plan.assemble = [](const std::vector<Json>& results) {
         Json data = {{"right_share", right_share},

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/study/study_scene.hpp"
+
 namespace pxm::host {
 
 namespace {
@@ -150,7 +152,7 @@ class Table {
     void add(const char* family, std::initializer_list<double> values, Make make) {
         for (const double value : values) {
             cases.push_back({fmt::format("{} {:g}", family, value), family, value, volume, size,
-                             cell_cap, [=](double unit) { return make(value, unit); }});
+                             cell_cap, "", [=](double unit) { return make(value, unit); }});
         }
     }
     std::vector<StabilityCase> cases;
@@ -206,6 +208,16 @@ std::vector<StabilityCase> stability_cases() {
                       fmt::format("render {{ heap: {} }}\n", static_cast<int>(heap)));
     });
     return t.cases;
+}
+
+StabilityCase case_of(const std::string& scene, const std::optional<PixelSize>& size) {
+    StabilityCase one;
+    one.name = stem_of(scene);
+    one.family = "scene";
+    one.volume.reset();
+    one.size = size.value_or(PixelSize{64, 48});
+    one.path = scene;
+    return one;
 }
 
 }  // namespace pxm::host
