@@ -17,7 +17,7 @@ namespace pxm::host {
 namespace {
 
 const PixelSize default_size{160, 128};
-constexpr std::uint32_t cell_cap = 20'000;  // of the settings: hopeless ones shall end
+constexpr std::uint32_t cell_cap = 5'000;  // of the settings: hopeless ones shall end
 
 /// A scene's references, rendered when the first of its settings is measured.
 struct References {

@@ -110,7 +110,7 @@ std::string error_page(const Json& data, const std::string&) {
         "depths with the same along the ray through the pixel's middle. Machine time is counted; "
         "host time is the median of repeats in this run, with its spread, and means nothing "
         "elsewhere. A setting is beaten if another is no slower and no less exact. "
-        "A ray is given up after 20,000 cells. A dash: it does not fit the machine, or is no "
+        "A ray is given up after 5,000 cells. A dash: it does not fit the machine, or is no "
         "program of it.");
     for (const Json& scene : data["scenes"]) {
         page.heading(stem_of(scene["scene"].get<std::string>()));
