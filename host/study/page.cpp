@@ -95,6 +95,13 @@ std::string quoted(const std::string& field) {
     return text;
 }
 
+/// No line ends before a per cent sign.
+std::string joined(std::string text) {
+    for (auto at = text.find(" %"); at != text.npos; at = text.find(" %"))
+        text.replace(at, 1, "&nbsp;");
+    return text;
+}
+
 }  // namespace
 
 Page::Page(const std::string& title) : title_(title) {}
@@ -118,7 +125,8 @@ void Page::table(const PageTable& table) {
     body_ += "</tr>\n";
     for (const auto& cells : table.rows) {
         body_ += "<tr>";
-        for (const std::string& cell : cells) body_ += fmt::format("<td>{}</td>", escaped(cell));
+        for (const std::string& cell : cells)
+            body_ += fmt::format("<td>{}</td>", joined(escaped(cell)));
         body_ += "</tr>\n";
     }
     body_ += "</table></div>\n";

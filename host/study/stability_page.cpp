@@ -20,11 +20,11 @@ double real(const Json& json, const char* key) {
     return json.contains(key) ? json.at(key).get<double>() : 0.0;
 }
 
-std::string alarms_text(const Json& one) {
+std::string alarms_text(const Json& one, const char* gap = " ") {
     if (one.contains("message")) return fmt::format("exit {}", one.at("exit_code").dump());
     std::string result;
     for (const auto& [name, count] : one.at("alarms").items())
-        result += fmt::format("{}{} {}", result.empty() ? "" : ", ", name, count.dump());
+        result += fmt::format("{}{}{}{}", result.empty() ? "" : ", ", name, gap, count.dump());
     return result;
 }
 
@@ -72,19 +72,17 @@ bool is_quiet(const Json& one) {
 
 /// Everything known of the cases in which something happened.
 PageTable case_table(const Json& data) {
-    PageTable table{
-        {"case", "numbers", "grade", "wrong pixels", "of them no alarm", "worst depth, pixels",
-         "pixels with overflow", "restarts", "cells a ray", "host s", "alarms"},
-        {}};
+    PageTable table{{"case", "numbers", "grade", "wrong pixels", "of them no alarm",
+                     "worst depth, pixels", "restarts", "cells a ray", "host s", "alarms"},
+                    {}};
     for (const Json& one : data["cases"]) {
         if (one.contains("exit_code") || is_quiet(one)) continue;
         table.rows.push_back({text(one, "name"), numbers_text(one), text(one, "grade"),
                               fmt::format("{:.2f} %", 100 * real(one, "wrong_share")),
                               fmt::format("{:.2f} %", 100 * real(one, "missed_share")),
                               number_text(real(one, "worst_depth_pixels")),
-                              count_text(one, "overflowed_pixels"), count_text(one, "restarts"),
-                              number_text(real(one, "cells_per_ray")), seconds_text(one),
-                              alarms_text(one)});
+                              count_text(one, "restarts"), number_text(real(one, "cells_per_ray")),
+                              seconds_text(one), alarms_text(one, "\u00a0")});
     }
     return table;
 }
@@ -191,7 +189,8 @@ std::string stability_page(const Json& data, const std::string&) {
         100 * data["right_share"].get<double>(), 100 * data["degraded_share"].get<double>(),
         text(data["reference"], "numeric"), data["reference"]["mantissa_bits"].dump()));
     page.paragraph(
-        "Overflow: pixels in whose computation a result was beyond the range of its numbers, or "
+        "The alarm overflow counts pixels in whose computation a result was beyond the range of "
+        "its numbers, or "
         "something was divided by zero (dsp32 saturates); not counted in the wide engine.");
     page.table(grade_table(data));
     for (const char* family : {"zoom", "contraction", "squash"})

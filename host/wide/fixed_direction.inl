@@ -15,6 +15,7 @@
 
 #include "host/wide/fixed_levels.inl"
 #include "host/wide/fixed_rays.inl"
+#include "host/wide/grid_walk.inl"
 #include "host/wide/start_cell.inl"
 
 HWY_BEFORE_NAMESPACE();
@@ -247,8 +248,14 @@ inline void visit_homotheties(const WideScene& scene, Workspace& work, int index
                 ray.pace[k] = 1 / (s == 0 ? 1e-30F : s);
                 *place[k] = -boxes.origin[k][i] * ray.pace[k];
             }
-            if (!follow_fixed(scene, work, cell, ray, first, object.levels, found)) continue;
-            depth = ray.found;
+            if (object.grid) {
+                GridWalk walk(scene, ray);
+                if (!walk.follow(first, keys[i], object.levels - cell.level, found, depth))
+                    continue;
+            } else {
+                if (!follow_fixed(scene, work, cell, ray, first, object.levels, found)) continue;
+                depth = ray.found;
+            }
         }
         note_found(work, i, index, base + static_cast<double>(depth) * length);
     }

@@ -153,6 +153,17 @@ std::vector<glm::dvec3> hull_points(const WideScene& scene, const WideObject& ob
     return points;
 }
 
+/// Gives the sets of an object of boxes their grids. False if a set has none.
+bool find_grids(WideScene& scene, int first, std::vector<bool>& seen) {
+    const auto at = static_cast<std::size_t>(first);
+    if (seen[at]) return true;
+    seen[at] = true;
+    WideSet& set = scene.sets[at];
+    if (set.grid.empty()) set.grid = find_grid(set.children);
+    return !set.grid.empty() &&
+           std::ranges::all_of(set.sets, [&](int inner) { return find_grids(scene, inner, seen); });
+}
+
 }  // namespace
 
 bool has_fixed_direction(const CompiledScene& scene, const CompiledObject& object) {
@@ -174,9 +185,6 @@ bool has_fixed_direction(const CompiledScene& scene, const CompiledObject& objec
 }
 
 void tabulate_homotheties(WideScene& scene) {
-    for (WideObject& object : scene.objects) {
-        if (object.fixed_direction) object.hull = hull_points(scene, object);
-    }
     std::vector<bool> done(scene.sets.size(), false);
     std::vector<int> waiting;
     for (const WideObject& object : scene.objects) {
@@ -190,6 +198,12 @@ void tabulate_homotheties(WideScene& scene) {
         tabulate(scene, index);
         const std::vector<int>& next = scene.sets[static_cast<std::size_t>(index)].sets;
         waiting.insert(waiting.end(), next.begin(), next.end());
+    }
+    for (WideObject& object : scene.objects) {
+        if (!object.fixed_direction) continue;
+        object.hull = hull_points(scene, object);
+        std::vector<bool> seen(scene.sets.size(), false);
+        object.grid = !object.spheres && find_grids(scene, object.set, seen);
     }
 }
 

@@ -133,12 +133,16 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
 std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
     const std::string reason = why_not_wide(scene, Numeric::single);
     std::vector<ObjectMethod> methods;
-    for (const CompiledObject& object : scene.objects) {
+    const WideScene wide = reason.empty() ? make_wide_scene(scene) : WideScene{};
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const CompiledObject& object = scene.objects[i];
         const std::size_t maps = scene.shapes[static_cast<std::size_t>(object.shape)].maps.size();
         if (!reason.empty()) {
             methods.push_back({object.name, "heap", reason});
-        } else if (!has_fixed_direction(scene, object)) {
+        } else if (!wide.objects[i].fixed_direction) {
             methods.push_back({object.name, "wide, composed maps", "maps that are no homotheties"});
+        } else if (wide.objects[i].grid) {
+            methods.push_back({object.name, "wide, grid walk", "homotheties to boxes in slices"});
         } else if (maps * maps <= table_step) {
             methods.push_back({object.name, "wide, grandchildren", "few maps, all homotheties"});
         } else {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/render/compiled_scene.hpp"
+#include "host/wide/child_grid.hpp"
 
 namespace pxm::host::wide {
 
@@ -80,6 +81,7 @@ struct WideSet {
     LaneTable<float> single;
     HomothetyTable children;       // empty unless the object is `fixed_direction`
     HomothetyTable grandchildren;  // empty unless they fit one table_step
+    ChildGrid grid;                // of `children`, if they are boxes in slices
 };
 
 /// An object: from scene units to the unit coordinates of its outermost volume.
@@ -98,6 +100,7 @@ struct WideObject {
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
     bool fixed_direction = false;
+    bool grid = false;  // and all its sets have their children in slices
     /// Corners of the attractor's hull in unit coordinates, if it serves as a cull
     /// (host/wide/hull_shadow.inl).
     static constexpr std::size_t most_hull_points = 32;
