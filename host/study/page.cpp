@@ -19,7 +19,7 @@ h2 { border-top: 2px solid #14213d; padding-top: .5em; margin-top: 2em; }
 table { border-collapse: collapse; margin: 1em 0; font-size: 14px; }
 th, td { padding: .2em .7em; text-align: right; border-bottom: 1px solid #ccd; }
 th:first-child, td:first-child { text-align: left; white-space: nowrap; }
-.wide { overflow-x: auto; }
+.wide { overflow-x: auto; } .wide svg { min-width: 600px; }
 svg { max-width: 760px; width: 100%; height: auto; font: 12px Georgia, serif; display: block; }
 .row { display: flex; flex-wrap: wrap; gap: 1.5em; align-items: flex-start; }
 .row > figure { flex: 1 1 205px; max-width: 460px; margin: 0; }
@@ -132,7 +132,9 @@ void Page::table(const PageTable& table) {
     body_ += "</table></div>\n";
 }
 
-void Page::plot(const std::string& svg) { body_ += fmt::format("<figure>{}</figure>\n", svg); }
+void Page::plot(const std::string& svg) {
+    body_ += fmt::format("<figure class=\"wide\">{}</figure>\n", svg);
+}
 
 void Page::row(const std::vector<std::string>& figures) {
     body_ += "<div class=\"row\">\n";
