@@ -114,7 +114,9 @@ std::string error_page(const Json& data, const std::string&) {
         "program of it.");
     for (const Json& scene : data["scenes"]) {
         page.heading(stem_of(scene["scene"].get<std::string>()));
-        page.paragraph(scene["advice"].get<std::string>());
+        std::string advice = scene["advice"].get<std::string>();
+        std::erase(advice, '`');  // of the documents
+        page.paragraph(advice);
         add_choice(page, scene, "budget", "Best within the budget");
         add_choice(page, scene, "target", "Fastest that reaches the target");
         page.plot(diagram(scene, "Machine time", "machine_seconds", "pareto"));

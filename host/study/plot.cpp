@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/study/plot_labels.hpp"
+#include "host/study/plot_mapping.hpp"
 
 namespace pxm::host {
 
@@ -28,56 +29,6 @@ struct Style {
 constexpr Style styles[] = {{"#14213d", ""},        {"#d1495b", "7 3"},        {"#2e8b57", "2 3"},
                             {"#e08a00", "9 3 2 3"}, {"#5b5bd6", "4 4"},        {"#8a8a8a", "1 2"},
                             {"#00798c", "12 3"},    {"#9c3587", "6 2 2 2 2 2"}};
-
-/// Values to places along an axis.
-class Mapping {
-  public:
-    Mapping(const PlotAxis& axis, double low, double high, double from, double to)
-        : scale_(axis.scale), from_(from), to_(to) {
-        low_ = place(axis.low.value_or(low));
-        high_ = place(axis.high.value_or(high));
-        if (!(high_ > low_)) {
-            low_ -= 0.5;
-            high_ += 0.5;
-        }
-    }
-    [[nodiscard]] double operator()(double value) const {
-        const double share = (place(value) - low_) / (high_ - low_);
-        return from_ + std::clamp(share, 0.0, 1.0) * (to_ - from_);
-    }
-    [[nodiscard]] std::vector<double> ticks() const {
-        return scale_ == AxisScale::logarithmic ? decades() : round_numbers();
-    }
-
-  private:
-    [[nodiscard]] double place(double value) const {
-        if (scale_ == AxisScale::linear) return value;
-        return std::log10(std::max(value, std::numeric_limits<double>::min()));
-    }
-    [[nodiscard]] std::vector<double> decades() const {
-        std::vector<double> values;
-        const double step = std::max(1.0, std::ceil((high_ - low_) / 8));
-        for (double e = std::ceil(low_ - 1e-9); e <= high_ + 1e-9; e += step)
-            values.push_back(std::pow(10, e));
-        return values;
-    }
-    [[nodiscard]] std::vector<double> round_numbers() const {
-        const double raw = (high_ - low_) / 5;
-        const double power = std::pow(10, std::floor(std::log10(raw)));
-        const double lead = raw / power;
-        const double step = power * (lead > 5 ? 10 : lead > 2 ? 5 : lead > 1 ? 2 : 1);
-        std::vector<double> values;
-        for (double k = std::ceil(low_ / step - 1e-9); k * step <= high_ + step * 1e-9; ++k)
-            values.push_back(k * step);
-        return values;
-    }
-
-    AxisScale scale_;
-    double low_;
-    double high_;
-    double from_;
-    double to_;
-};
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text,
                     const char* more = "") {

@@ -92,6 +92,17 @@ TEST(Plot, only_labelled_points_are_named) {
     EXPECT_THAT(svg_of(plot), HasSubstr("class=\"label\">alpha</text>"));
 }
 
+TEST(Plot, a_short_logarithmic_axis_has_more_than_powers_of_ten) {
+    LinePlot plot;
+    plot.y.scale = AxisScale::logarithmic;
+    plot.series = {{"s", {{0, 0.03, ""}, {1, 0.3, ""}}}};
+    for (const char* tick : {">0.05<", ">0.1<", ">0.2<"})
+        EXPECT_THAT(svg_of(plot), HasSubstr(tick));
+    plot.series = {{"s", {{0, 1e-8, ""}, {1, 1e8, ""}}}};
+    EXPECT_THAT(svg_of(plot), HasSubstr(">1e8<"));
+    EXPECT_THAT(svg_of(plot), Not(HasSubstr(">2<")));
+}
+
 TEST(Plot, a_plot_without_values_is_still_a_plot) {
     EXPECT_THAT(svg_of(LinePlot{}), HasSubstr("</svg>"));
     EXPECT_THAT(svg_of(BarPlot{}), Not(HasSubstr("nan")));
