@@ -8,7 +8,7 @@ namespace {
 
 template <typename T>
 class RealNumbers : public testing::Test {};
-using Types = testing::Types<float, double, long double, dsp32::Float>;
+using Types = testing::Types<float, double, dsp32::Float>;
 TYPED_TEST_SUITE(RealNumbers, Types);
 
 static_assert(Real<float> && Real<double> && Real<dsp32::Float> && !Real<int>);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "host/study/stability_cases.hpp"
 #include "tests/support/render_text.hpp"
 
 namespace pxm::host {
@@ -59,12 +60,12 @@ TEST(Alarms, pixels_finer_than_the_floor_are_told) {
 }
 
 TEST(Alarms, results_beyond_the_range_are_told_and_double_has_more_of_it) {
-    const std::string squashed =
-        "ifs a { newmap rotate: x,20 scale: 0.5,0.00005,0.5 rotate: z,30 translate: 0,0.5,0\n"
-        "newmap rotate: x,20 scale: 0.5,0.00005,0.5 rotate: z,30 translate: 0.4,-0.2,0.2 }\n"
-        "camera { eye: 1.2,1.5,-3 look: 0,0,0 fov: 40 } render { volume: sphere }";
+    const std::vector<StabilityCase> cases = stability_cases();
+    const auto squash = std::ranges::find(cases, "squash 0.0001", &StabilityCase::name);
+    ASSERT_NE(squash, cases.end());
+    const std::string squashed = squash->text(1);
     RenderRequest request;
-    request.overrides.size = PixelSize{32, 24};
+    request.overrides.volume = VolumeKind::sphere;
     request.overrides.intersect = IntersectMethod::heap;
     for (const Numeric numeric : {Numeric::dsp32, Numeric::single}) {
         request.overrides.numeric = numeric;
