@@ -98,6 +98,10 @@ bool squashes_much(const CompiledMap& map) {
     return !(values[0] <= much * values[2]);
 }
 
+/// Cells that hardly get smaller from level to level would fill the tables that a tile's rays
+/// share: gigabytes at 0.995.
+bool hardly_contracts(const CompiledMap& map) { return !(map.constant <= 0.985); }
+
 /// What of an object the wide engine cannot do, if anything.
 std::string why_not(const CompiledScene& scene, const CompiledObject& object) {
     const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
@@ -109,6 +113,7 @@ std::string why_not(const CompiledScene& scene, const CompiledObject& object) {
     if (balls != 0 && balls != std::ssize(shape.sets)) return "has balls and boxes side by side";
     if (shape.maps.size() > most_maps) return fmt::format("has more than {} maps", most_maps);
     if (std::ranges::any_of(shape.maps, squashes_much)) return "has maps that squash very much";
+    if (std::ranges::any_of(shape.maps, hardly_contracts)) return "has maps that hardly contract";
     return "";
 }
 
