@@ -189,6 +189,10 @@ std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Fra
              "pixels show the nearest cell known when their ray was given up"},
             {"not_finite", count_pixels(frame, alarm_not_finite),
              "pixels have a depth, colour or normal that is no number"},
+            {"overflow", count_pixels(frame, alarm_overflow),
+             fmt::format("pixels met a cell whose numbers are beyond the range of {}: it may be "
+                         "missed",
+                         name)},
             of_maps("steep_maps", steep,
                     fmt::format("maps squash so much that {} misplaces some of their cells", name)),
             of_maps("flat_maps", flat,

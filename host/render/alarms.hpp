@@ -17,6 +17,7 @@ enum PixelAlarm : std::uint8_t {
     alarm_floored = 2,     // p would have to be finer than the numbers allow
     alarm_capped = 4,      // a ray of it was given up
     alarm_not_finite = 8,  // its depth, colour or normal is no number
+    alarm_overflow = 16,   // a result on the way to it was beyond the numbers' range
 };
 
 struct Alarm {

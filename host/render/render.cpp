@@ -11,6 +11,7 @@
 #include "host/error.hpp"
 #include "host/render/compile.hpp"
 #include "host/render/link.hpp"
+#include "host/render/overflow.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
 #include "host/scene/words.hpp"
@@ -72,6 +73,7 @@ Prepared prepare(const RenderRequest& request) {
     if (!diagnostics.has_errors()) {
         prepared.compiled = compile(prepared.scene, request.overrides.zoom, diagnostics);
     }
+    if (request.cell_cap) prepared.compiled.cell_cap = *request.cell_cap;
     diagnostics.throw_if_errors(prepared.scene.files);
     prepared.warnings = diagnostics.warnings_text(prepared.scene.files);
     if (!prepared.warnings.empty()) prepared.warnings += '\n';
@@ -199,10 +201,14 @@ RenderResult render(const RenderRequest& request, const RunControl& control, con
     const NodeProgram program = link(prepared.compiled);
     if (request.machine) require_fit(program, std::string(request.machine->name));
     const IntersectChoice intersect = intersect_of(prepared, request);
+    clear_overflow();  // of what the host computed
     const EngineChoice choice{request.machine,     numeric_of(prepared, request),
                               request.threads,     program.modules_bytes(),
                               program.stack_bytes, request.costs,
                               intersect.method};
+    // The wide engine places cells in double; in float is only what tells a tile's rays apart.
+    const Numeric places =
+        intersect.method == IntersectMethod::wide ? Numeric::twice : choice.numeric;
     RenderResult result = begin_result(request, prepared, choice, program);
     result.statistics.intersect_because = intersect.because;
     const std::vector<CropWindow> bands = take && !request.machine
@@ -211,7 +217,7 @@ RenderResult render(const RenderRequest& request, const RunControl& control, con
     for (std::size_t i = 0; i < bands.size() && !result.stopped; ++i) {
         prepared.compiled.crop = bands[i];
         const RunControl part = control_of_part(control, i, bands.size());
-        add_run(result, prepared.compiled, choice.numeric,
+        add_run(result, prepared.compiled, places,
                 request.machine ? run_on_machine(prepared.compiled, choice, part)
                                 : run_natively(prepared.compiled, choice, part));
         if (take && !result.stopped) take(result);
@@ -221,6 +227,8 @@ RenderResult render(const RenderRequest& request, const RunControl& control, con
     result.statistics.seconds.total = clock.lap();
     return result;
 }
+
+CompiledScene compiled_scene_of(const RenderRequest& request) { return prepare(request).compiled; }
 
 std::string explain_pixel(const RenderRequest& request, long x, long y) {
     const Prepared prepared = prepare(request);

@@ -38,6 +38,7 @@ struct RenderRequest {
     const Model* machine = nullptr;  // null: native
     int threads = 1;
     CostModel costs = default_cost_model();  // of the machine
+    std::optional<std::uint32_t> cell_cap;   // of studies; absent: that of CompiledScene
 };
 
 struct RenderResult {
@@ -60,7 +61,10 @@ using TakeBand = std::function<void(const RenderResult&)>;
 [[nodiscard]] RenderResult render(const RenderRequest& request, const RunControl& control,
                                   const TakeBand& take = nullptr);
 
-/// The same path up to the engine, then one pixel's descent as text (`--pixel x,y`). A pixel
+/// The same path up to the engine. Throws Error: the scene is wrong (3), a file cannot be read (4).
+[[nodiscard]] CompiledScene compiled_scene_of(const RenderRequest& request);
+
+/// The same, then one pixel's descent as text (`--pixel x,y`). A pixel
 /// outside the image is an Error(ExitCode::command_line).
 [[nodiscard]] std::string explain_pixel(const RenderRequest& request, long x, long y);
 
