@@ -38,6 +38,7 @@ RenderResult parallel(double zoom, Numeric numeric) {
     request.overrides.size = PixelSize{16, 12};
     request.overrides.numeric = numeric;
     request.overrides.zoom = zoom;
+    request.overrides.intersect = IntersectMethod::heap;
     return test::render_text(
         std::string(test::tetra_text) + "camera { eye: 0,1,-3 look: 0,1,0 orthographic: 1 }",
         request);
