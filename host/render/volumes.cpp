@@ -17,6 +17,7 @@ namespace pxm::host {
 namespace {
 
 constexpr double dear = 300;             // tests a ray: a reason to try more than spheres and boxes
+constexpr double about_the_same = 1.1;   // boxes may cost so much more than spheres
 constexpr double clearly_cheaper = 0.5;  // oriented boxes and hulls: else spheres and boxes stay
 constexpr double hopeless = 5000;        // tests a ray, where ...
 constexpr double much_dearer = 2;        // ... computed volumes need so many times fewer
@@ -88,7 +89,9 @@ class Choice {
     }
 
     [[nodiscard]] double cost(const Volumes& volumes) const {
-        const Frame frame = frame_around(bounds_[start_].ball);
+        const Ball& ball = bounds_[start_].ball;
+        // The unit ball itself, unlike frame_around: costs must not depend on the scene's lengths.
+        const Frame frame{ball.center, ball.radius > 0 ? ball.radius : 1};
         const auto method = choose_lipschitz(LipschitzMethod::automatic, rifs_);
         return trial_cost(make_shape(rifs_, volumes, frame, method), levels_);
     }
