@@ -16,7 +16,7 @@ namespace pxm::host {
 namespace {
 
 constexpr double detail_of_beams = 0.7;    // of a pixel: measured, as docs/performance.md says
-constexpr long places_in_beam = 16;        // where the scene does not say
+constexpr long places_in_beam = 12;        // where the scene does not say
 constexpr std::size_t measured_sets = 64;  // of a shape; others are taken to be like the first
 
 /// Where a shape's cells are seen from, in its own coordinates: along the eye's rays to its objects
