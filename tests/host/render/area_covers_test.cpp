@@ -56,7 +56,7 @@ TEST(AreaCovers, opacity_is_the_share_of_the_area) {
 
 /// The bar for local covers: half the error of one sample, and less than four samples have.
 TEST(AreaCovers, have_less_than_half_the_error_of_one_sample) {
-    for (const char* name : {"tetra", "menger", "icos"}) {
+    for (const char* name : {"tetra", "menger"}) {
         const auto with = [&](const char* setting) {
             return rendered(scene_of(name, setting), 48, 36).frame;
         };
