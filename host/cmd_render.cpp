@@ -152,26 +152,40 @@ ExitCode render_picture(const RenderArguments& arguments) {
     if (!arguments.stats.empty()) require_writable(arguments.stats);
 
     RenderResult result;
+    std::unique_ptr<ImageWriter> writer;
+    double write_seconds = 0;
+    const auto take = [&](const RenderResult& so_far) {
+        const double before = seconds();
+        if (!writer) {
+            const CropWindow& window = so_far.window;
+            writer = std::make_unique<ImageWriter>(
+                out, PixelSize{window.x1 - window.x0, window.y1 - window.y0}, aovs,
+                metadata_of(so_far.statistics, arguments, so_far));
+        }
+        writer->append(so_far.frame);
+        write_seconds += seconds() - before;
+    };
     {
         Progress progress(arguments.quiet);
         RunControl control;
         control.stop = &stop_requested();
         if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
-        result = render(request, control);
+        result = render(request, control, take);
     }
     if (result.stopped) return signal_exit_code();
     fmt::print(stderr, "{}", result.warnings);
-    const double before_write = seconds();
-    write_image(out, result.frame, aovs, metadata_of(result.statistics, arguments, result));
+    const double before_end = seconds();
+    writer->finish();
     PhaseSeconds& phases = result.statistics.seconds;
-    phases.write = seconds() - before_write;
+    phases.write = write_seconds + seconds() - before_end;
     phases.total = seconds();
     if (!arguments.stats.empty()) {
         write_text_safely(arguments.stats, statistics_json(result.statistics));
     }
     if (!arguments.quiet) {
-        fmt::print(stderr, "{}: {}x{} in {:.2f} s ({:.2f} Mray/s)\n", out, result.frame.columns(),
-                   result.frame.rows(), phases.total,
+        fmt::print(stderr, "{}: {}x{} in {:.2f} s ({:.2f} Mray/s)\n", out,
+                   result.window.x1 - result.window.x0, result.window.y1 - result.window.y0,
+                   phases.total,
                    static_cast<double>(result.statistics.rays.eye_rays) / phases.render / 1e6);
     }
     return ExitCode::done;

@@ -1,6 +1,7 @@
 // The number types a node computes with, float, double and dsp32::Float, under one set of names.
 // Kernels are templates over the type and use these names, so that on the machine a sum of products
 // stays in an accumulator and a root is the chip's routine, while IEEE types do the plain thing.
+// No render computes in long double: it is what `pxm study stability` judges double by.
 #pragma once
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "pxm/dsp32/float.hpp"
@@ -15,7 +17,8 @@
 namespace pxm {
 
 template <typename T>
-concept IeeeReal = std::same_as<T, float> || std::same_as<T, double>;
+concept IeeeReal =
+    std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, long double>;
 
 template <typename T>
 concept Real = IeeeReal<T> || std::same_as<T, dsp32::Float>;
@@ -101,6 +104,10 @@ template <Real R>
         return {value.word()};
     } else if constexpr (std::same_as<R, float>) {
         return {std::bit_cast<std::uint32_t>(value)};
+    } else if constexpr (std::same_as<R, long double>) {
+        EncodedReal<R> words{};
+        std::memcpy(words.data(), &value, sizeof value);
+        return words;
     } else {
         const auto bits = std::bit_cast<std::uint64_t>(value);
         return {static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits)};
@@ -114,6 +121,10 @@ template <Real R>
         return dsp32::Float::from_word(words[0]);
     } else if constexpr (std::same_as<R, float>) {
         return std::bit_cast<float>(words[0]);
+    } else if constexpr (std::same_as<R, long double>) {
+        R value = 0;
+        std::memcpy(&value, words.data(), sizeof value);
+        return value;
     } else {
         return std::bit_cast<double>(std::uint64_t{words[0]} << 32 | words[1]);
     }

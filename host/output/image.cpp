@@ -101,15 +101,51 @@ std::string told_of(const std::string& path, const std::string& beside, std::str
     return at == std::string::npos ? why : why.replace(at, beside.size(), path);
 }
 
-/// Writes to `beside`; messages name `path`.
-void write_pixels(const std::string& path, const std::string& beside, const OIIO::ImageSpec& spec,
-                  OIIO::TypeDesc type, const void* pixels) {
-    OIIO::attribute("threads", 1);
-    const auto output = OIIO::ImageOutput::create(beside);
-    if (!output) cannot_write(path, OIIO::geterror());
-    if (!output->open(beside, spec) || !output->write_image(type, pixels) || !output->close()) {
-        cannot_write(path, told_of(path, beside, output->geterror()));
+OIIO::ImageSpec spec_of(const std::string& path, const PixelSize& size,
+                        const std::vector<std::string>& names, const Metadata& metadata) {
+    const bool floats = holds_floats(path);
+    OIIO::ImageSpec spec(static_cast<int>(size.columns), static_cast<int>(size.rows),
+                         static_cast<int>(names.size()),
+                         floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+    spec.channelnames = names;
+    spec.attribute("DateTime", date_time());
+    spec.attribute("Software", "pxm " PXM_VERSION);
+    spec.attribute("oiio:ColorSpace", floats ? "Linear" : "sRGB");
+    if (extension_of(path) == "exr") {
+        spec.attribute("compression", "zip");
+        for (const auto& [name, value] : metadata) spec.attribute("pxm:" + name, value);
     }
+    return spec;
+}
+
+std::vector<float> floats_of(const Frame& rows, const std::vector<Aov>& aovs) {
+    std::vector<float> values;
+    for (const PixelRecord& pixel : rows.pixels) {
+        values.insert(values.end(), pixel.color, pixel.color + 3);
+        for (const Aov aov : aovs) append(values, pixel, aov);
+    }
+    return values;
+}
+
+std::array<unsigned char, 3> bytes_of(const float (&color)[3]) {
+    std::array<unsigned char, 3> bytes;
+    for (std::size_t k = 0; k < 3; ++k) {
+        bytes[k] = static_cast<unsigned char>(std::lround(srgb_from_linear(color[k]) * 255.0F));
+    }
+    return bytes;
+}
+
+std::vector<unsigned char> bytes_of(const Frame& rows) {
+    std::vector<unsigned char> all(3 * rows.pixels.size());
+    const float* last = nullptr;  // neighbours are often of one colour: the background's
+    std::array<unsigned char, 3> bytes{};
+    for (std::size_t i = 0; i < rows.pixels.size(); ++i) {
+        const auto& color = rows.pixels[i].color;
+        if (last == nullptr || !std::equal(color, color + 3, last)) bytes = bytes_of(color);
+        last = color;
+        std::ranges::copy(bytes, all.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    }
+    return all;
 }
 
 std::unique_ptr<OIIO::ImageInput> open_image(const std::string& path) {
@@ -195,42 +231,53 @@ void require_image_format(const std::string& path, const std::vector<Aov>& aovs)
     }
 }
 
+struct ImageWriter::File {
+    std::string path;
+    std::vector<Aov> aovs;
+    PartFile part;
+    std::unique_ptr<OIIO::ImageOutput> output;
+    int next_row = 0;
+
+    void require(bool done) {
+        if (!done) cannot_write(path, told_of(path, part.beside(), output->geterror()));
+    }
+};
+
+ImageWriter::ImageWriter(const std::string& path, const PixelSize& size,
+                         const std::vector<Aov>& aovs, const Metadata& metadata)
+    : file_(new File{path, aovs, PartFile(path), nullptr}) {
+    OIIO::attribute("threads", 1);
+    file_->output = OIIO::ImageOutput::create(file_->part.beside());
+    if (!file_->output) cannot_write(path, OIIO::geterror());
+    const OIIO::ImageSpec spec = spec_of(path, size, channel_names(aovs), metadata);
+    file_->require(file_->output->open(file_->part.beside(), spec));
+}
+
+ImageWriter::~ImageWriter() = default;
+
+void ImageWriter::append(const Frame& rows) {
+    const int first = file_->next_row;
+    file_->next_row += static_cast<int>(rows.rows());
+    const auto put = [&](OIIO::TypeDesc type, const void* pixels) {
+        file_->require(file_->output->write_scanlines(first, file_->next_row, 0, type, pixels));
+    };
+    if (holds_floats(file_->path)) {
+        put(OIIO::TypeDesc::FLOAT, floats_of(rows, file_->aovs).data());
+    } else {
+        put(OIIO::TypeDesc::UINT8, bytes_of(rows).data());
+    }
+}
+
+void ImageWriter::finish() {
+    file_->require(file_->output->close());
+    file_->part.commit();
+}
+
 void write_image(const std::string& path, const Frame& frame, const std::vector<Aov>& aovs,
                  const Metadata& metadata) {
-    const auto names = channel_names(aovs);
-    const bool floats = holds_floats(path);
-    OIIO::ImageSpec spec(static_cast<int>(frame.columns()), static_cast<int>(frame.rows()),
-                         static_cast<int>(names.size()),
-                         floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
-    spec.channelnames = names;
-    spec.attribute("DateTime", date_time());
-    spec.attribute("Software", "pxm " PXM_VERSION);
-    spec.attribute("oiio:ColorSpace", floats ? "Linear" : "sRGB");
-    if (extension_of(path) == "exr") spec.attribute("compression", "zip");
-    if (extension_of(path) == "exr") {
-        for (const auto& [name, value] : metadata) spec.attribute("pxm:" + name, value);
-    }
-
-    std::vector<float> values;
-    std::vector<unsigned char> bytes;
-    for (const PixelRecord& pixel : frame.pixels) {
-        if (floats) {
-            values.insert(values.end(), pixel.color, pixel.color + 3);
-            for (const Aov aov : aovs) append(values, pixel, aov);
-        } else {
-            for (const float c : pixel.color) {
-                bytes.push_back(
-                    static_cast<unsigned char>(std::lround(srgb_from_linear(c) * 255.0F)));
-            }
-        }
-    }
-    write_safely(path, [&](const std::string& beside) {
-        if (floats) {
-            write_pixels(path, beside, spec, OIIO::TypeDesc::FLOAT, values.data());
-        } else {
-            write_pixels(path, beside, spec, OIIO::TypeDesc::UINT8, bytes.data());
-        }
-    });
+    ImageWriter writer(path, {frame.columns(), frame.rows()}, aovs, metadata);
+    writer.append(frame);
+    writer.finish();
 }
 
 int LoadedImage::channel(const std::string& name) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +26,27 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 /// hold the channels asked for (only EXR has room for any).
 void require_image_format(const std::string& path, const std::vector<Aov>& aovs);
 
-/// Writes the crop window's pixels, whole or not at all. EXR and HDR hold linear floats; other
-/// formats hold 8 bits with the sRGB curve. Throws Error(ExitCode::file).
+/// A picture that is written as its rows come, whole or not at all. EXR and HDR hold linear floats;
+/// other formats hold 8 bits with the sRGB curve. All may throw Error(ExitCode::file).
+class ImageWriter {
+  public:
+    ImageWriter(const std::string& path, const PixelSize& size, const std::vector<Aov>& aovs,
+                const Metadata& metadata);
+    ImageWriter(const ImageWriter&) = delete;
+    ImageWriter& operator=(const ImageWriter&) = delete;
+    ~ImageWriter();  // an unfinished picture is removed
+
+    /// The next rows from the top, as wide as the picture.
+    void append(const Frame& rows);
+    /// Puts the picture into its place. Precondition: all rows were appended.
+    void finish();
+
+  private:
+    struct File;
+    std::unique_ptr<File> file_;
+};
+
+/// Writes the crop window's pixels as a picture, as ImageWriter does.
 void write_image(const std::string& path, const Frame& frame, const std::vector<Aov>& aovs,
                  const Metadata& metadata);
 

@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "host/error.hpp"
-#include "host/interrupt.hpp"
 
 namespace pxm::host {
 
@@ -40,23 +39,30 @@ void require_writable(const std::string& path) {
     if (access(folder.c_str(), W_OK | X_OK) != 0) cannot_write(path, std::strerror(errno));
 }
 
-void write_safely(const std::string& path, const std::function<void(const std::string&)>& write) {
-    require_writable(path);
-    const fs::path target(path);
-    // Short, so that any name that can be written can be written beside.
-    const fs::path beside =
-        folder_of(path) / fmt::format(".pxm-part-{}{}", getpid(), target.extension().string());
-    const PartFileGuard guard(beside.string());
+// The name is short, so that any name that can be written can be written beside.
+PartFile::PartFile(const std::string& path)
+    : path_((require_writable(path), path)),
+      beside_((folder_of(path) /
+               fmt::format(".pxm-part-{}{}", getpid(), fs::path(path).extension().string()))
+                  .string()),
+      guard_(beside_) {}
+
+PartFile::~PartFile() {
     std::error_code ignored;
-    try {
-        write(beside.string());
-        std::error_code error;
-        fs::rename(beside, target, error);
-        if (error) cannot_write(path, error.message());
-    } catch (...) {
-        fs::remove(beside, ignored);
-        throw;
-    }
+    if (!committed_) fs::remove(beside_, ignored);
+}
+
+void PartFile::commit() {
+    std::error_code error;
+    fs::rename(beside_, path_, error);
+    if (error) cannot_write(path_, error.message());
+    committed_ = true;
+}
+
+void write_safely(const std::string& path, const std::function<void(const std::string&)>& write) {
+    PartFile file(path);
+    write(file.beside());
+    file.commit();
 }
 
 void write_text_safely(const std::string& path, const std::string& text) {

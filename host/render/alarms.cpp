@@ -147,6 +147,9 @@ std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Fra
         return is_out_of_range(map, precision.largest);
     };
     const char* name = precision.name;
+    const auto of_maps = [&](const char* alarm, const auto& wrong, const std::string& text) {
+        return Alarm{alarm, count_maps(scene, wrong), text, false};
+    };
     return {{"precision", count_pixels(frame, alarm_precision),
              fmt::format("pixels are less than {} units of the last place of {} wide where they "
                          "look: cells may be missed or misplaced",
@@ -157,12 +160,26 @@ std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Fra
              "pixels show the nearest cell known when their ray was given up"},
             {"not_finite", count_pixels(frame, alarm_not_finite),
              "pixels have a depth, colour or normal that is no number"},
-            {"steep_maps", count_maps(scene, steep),
-             fmt::format("maps squash so much that {} misplaces some of their cells", name)},
-            {"flat_maps", count_maps(scene, flat),
-             "singular maps are shown a pixel thick, and where several meet, not exactly"},
-            {"range", count_maps(scene, outside),
-             fmt::format("maps have inverses that leave the range of {}", name)}};
+            {"overflow", count_pixels(frame, alarm_overflow),
+             fmt::format("pixels met a cell whose numbers are beyond the range of {}: it may be "
+                         "missed",
+                         name)},
+            of_maps("steep_maps", steep,
+                    fmt::format("maps squash so much that {} misplaces some of their cells", name)),
+            of_maps("flat_maps", flat,
+                    "singular maps are shown a pixel thick, and where several meet, not exactly"),
+            of_maps("range", outside,
+                    fmt::format("maps have inverses that leave the range of {}", name))};
+}
+
+void add_pixels(std::vector<Alarm>& sum, const std::vector<Alarm>& part) {
+    if (sum.empty()) {
+        sum = part;
+        return;
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        if (sum[i].of_pixels) sum[i].count += part[i].count;
+    }
 }
 
 std::string alarm_text(const std::vector<Alarm>& alarms) {

@@ -23,9 +23,10 @@ class BlockWriter {
         return address;
     }
     void integer(std::uint32_t address, std::uint32_t value) { words_[address] = value; }
-    void real(std::uint32_t address, double value) {
-        for (const std::uint32_t word : encode(from_double<Real>(value))) words_[address++] = word;
+    void number(std::uint32_t address, Real value) {
+        for (const std::uint32_t word : encode(value)) words_[address++] = word;
     }
+    void real(std::uint32_t address, double value) { number(address, from_double<Real>(value)); }
     void vector(std::uint32_t address, const glm::dvec3& v) {
         for (int i = 0; i < 3; ++i) real(address + static_cast<std::uint32_t>(i) * step, v[i]);
     }

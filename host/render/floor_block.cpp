@@ -124,5 +124,6 @@ void write_floor(BlockWriter<Real>& block, const CompiledScene& scene) {
 template void write_floor(BlockWriter<dsp32::Float>&, const CompiledScene&);
 template void write_floor(BlockWriter<float>&, const CompiledScene&);
 template void write_floor(BlockWriter<double>&, const CompiledScene&);
+template void write_floor(BlockWriter<long double>&, const CompiledScene&);
 
 }  // namespace pxm::host

@@ -6,6 +6,7 @@
 #include "host/render/alarms.hpp"
 #include "host/render/compiled_scene.hpp"
 #include "host/render/frame.hpp"
+#include "host/render/overflow.hpp"
 #include "host/render/scene_block.hpp"
 #include "host/render/statistics.hpp"
 
@@ -29,6 +30,7 @@ template <class Real>
 void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& block,
                   const kernels::PixelResult<Real>& result, PixelRecord& pixel,
                   RayStatistics& rays) {
+    const bool overflowed = take_overflow<Real>();
     const auto number = [](Real x) { return static_cast<float>(to_double(x)); };
     pixel.color[0] = number(result.color.x);
     pixel.color[1] = number(result.color.y);
@@ -57,6 +59,7 @@ void gather_pixel(const CompiledScene& scene, const std::vector<std::uint32_t>& 
         pixel.word = word_hash(result.found.cell);
     }
     if (result.counts.capped > 0) pixel.alarms |= alarm_capped;
+    if (overflowed) pixel.alarms |= alarm_overflow;
     ++rays.pixels;
     rays.eye_rays += scene.samples.size();
     rays.light_rays += result.rays.light;

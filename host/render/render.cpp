@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "host/error.hpp"
 #include "host/render/compile.hpp"
 #include "host/render/link.hpp"
+#include "host/render/overflow.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
 #include "host/scene/words.hpp"
@@ -71,6 +73,7 @@ Prepared prepare(const RenderRequest& request) {
     if (!diagnostics.has_errors()) {
         prepared.compiled = compile(prepared.scene, request.overrides.zoom, diagnostics);
     }
+    if (request.cell_cap) prepared.compiled.cell_cap = *request.cell_cap;
     diagnostics.throw_if_errors(prepared.scene.files);
     prepared.warnings = diagnostics.warnings_text(prepared.scene.files);
     if (!prepared.warnings.empty()) prepared.warnings += '\n';
@@ -116,58 +119,115 @@ const char* name_of(Numeric numeric) {
 
 }  // namespace
 
-RenderResult render(const RenderRequest& request, const RunControl& control) {
-    PhaseClock clock;
-    const Prepared prepared = prepare(request);
-    const NodeProgram program = link(prepared.compiled);
-    if (request.machine) require_fit(program, std::string(request.machine->name));
-    const IntersectChoice intersect = intersect_of(prepared, request);
-    const EngineChoice choice{request.machine,     numeric_of(prepared, request),
-                              request.threads,     program.modules_bytes(),
-                              program.stack_bytes, request.costs,
-                              intersect.method};
-    EngineResult run = request.machine ? run_on_machine(prepared.compiled, choice, control)
-                                       : run_natively(prepared.compiled, choice, control);
+namespace {
 
+/// What is known before the first ray.
+RenderResult begin_result(const RenderRequest& request, const Prepared& prepared,
+                          const EngineChoice& choice, const NodeProgram& program) {
     RenderResult result;
+    const CompiledScene& scene = prepared.compiled;
     result.warnings = prepared.warnings;
-    if (run.rays.capped_rays > 0) {
-        result.warnings += fmt::format(
-            "warning: {} of {} rays were given up after {} cells; their pixels show the nearest "
-            "cell "
-            "known by then\n",
-            run.rays.capped_rays, run.rays.eye_rays + run.rays.light_rays + run.rays.reflect_rays,
-            prepared.compiled.cell_cap);
-    }
-    result.stopped = run.stopped;
-    const double coarser = std::sqrt(static_cast<double>(prepared.compiled.samples.size()));
-    result.pixel_at_eye = prepared.compiled.camera.pixel_at_eye * prepared.compiled.unit * coarser;
-    result.pixel_growth = prepared.compiled.camera.pixel_growth * coarser;
-    result.frame = std::move(run.frame);
-    result.statistics.alarms = raise_alarms(prepared.compiled, choice.numeric, result.frame);
-    result.warnings += alarm_text(result.statistics.alarms);
+    const double coarser = std::sqrt(static_cast<double>(scene.samples.size()));
+    result.pixel_at_eye = scene.camera.pixel_at_eye * scene.unit * coarser;
+    result.pixel_growth = scene.camera.pixel_growth * coarser;
+    result.window = scene.crop;
     Statistics& statistics = result.statistics;
     statistics.scene = request.scene_path;
     statistics.engine = request.machine ? "machine" : "native";
     statistics.model = request.machine ? std::string(request.machine->name) : "";
     statistics.numeric = name_of(choice.numeric);
-    statistics.size = prepared.compiled.size;
+    statistics.size = scene.size;
     statistics.threads = request.threads;
-    statistics.intersect = word_of(intersect_words, intersect.method);
-    statistics.intersect_because = intersect.because;
-    statistics.rays = run.rays;
-    statistics.scene_block_words = run.scene_block_words;
-    statistics.scene_block_hash = run.scene_block_hash;
+    statistics.intersect = word_of(intersect_words, choice.intersect);
     statistics.program = program;
-    statistics.machine = std::move(run.machine);
-    statistics.seconds = {prepared.parse_seconds,
-                          prepared.compile_seconds,
-                          run.load_seconds,
-                          run.render_seconds,
-                          0,
-                          clock.lap()};
+    statistics.seconds.parse = prepared.parse_seconds;
+    statistics.seconds.compile = prepared.compile_seconds;
     return result;
 }
+
+/// Adds what an engine did for the whole window, or for a band of it.
+void add_run(RenderResult& result, const CompiledScene& scene, Numeric numeric, EngineResult run) {
+    Statistics& statistics = result.statistics;
+    result.stopped = run.stopped;
+    result.frame = std::move(run.frame);
+    add_pixels(statistics.alarms, raise_alarms(scene, numeric, result.frame));
+    statistics.rays.add(run.rays);
+    statistics.scene_block_words = run.scene_block_words;
+    statistics.scene_block_hash = run.scene_block_hash;
+    statistics.machine = std::move(run.machine);
+    statistics.seconds.load += run.load_seconds;
+    statistics.seconds.render += run.render_seconds;
+}
+
+std::string warnings_about(const RayStatistics& rays, std::uint32_t cell_cap) {
+    if (rays.capped_rays == 0) return "";
+    return fmt::format(
+        "warning: {} of {} rays were given up after {} cells; their pixels show the nearest cell "
+        "known by then\n",
+        rays.capped_rays, rays.eye_rays + rays.light_rays + rays.reflect_rays, cell_cap);
+}
+
+/// The window in bands of whole rows of tiles, each at most so large as a frame in memory.
+std::vector<CropWindow> bands_of(const CropWindow& window) {
+    constexpr long most_bytes = 128L << 20;
+    constexpr long tile_rows = 8;
+    const long row_bytes = (window.x1 - window.x0) * static_cast<long>(sizeof(PixelRecord));
+    const long rows = std::max(tile_rows, most_bytes / row_bytes / tile_rows * tile_rows);
+    std::vector<CropWindow> bands;
+    for (long top = window.y0; top < window.y1;) {
+        const long bottom = std::min(window.y1, (top / tile_rows) * tile_rows + rows);
+        bands.push_back({window.x0, top, window.x1, bottom});
+        top = bottom;
+    }
+    return bands;
+}
+
+/// The same control, whose progress is that of one of several parts.
+RunControl control_of_part(const RunControl& control, std::size_t part, std::size_t parts) {
+    RunControl own = control;
+    if (!control.progress) return own;
+    own.progress = [&control, part, parts](double share) {
+        control.progress((static_cast<double>(part) + share) / static_cast<double>(parts));
+    };
+    return own;
+}
+
+}  // namespace
+
+RenderResult render(const RenderRequest& request, const RunControl& control, const TakeBand& take) {
+    PhaseClock clock;
+    Prepared prepared = prepare(request);
+    const NodeProgram program = link(prepared.compiled);
+    if (request.machine) require_fit(program, std::string(request.machine->name));
+    const IntersectChoice intersect = intersect_of(prepared, request);
+    clear_overflow();  // of what the host computed
+    const EngineChoice choice{request.machine,     numeric_of(prepared, request),
+                              request.threads,     program.modules_bytes(),
+                              program.stack_bytes, request.costs,
+                              intersect.method};
+    // The wide engine places cells in double; in float is only what tells a tile's rays apart.
+    const Numeric places =
+        intersect.method == IntersectMethod::wide ? Numeric::twice : choice.numeric;
+    RenderResult result = begin_result(request, prepared, choice, program);
+    result.statistics.intersect_because = intersect.because;
+    const std::vector<CropWindow> bands = take && !request.machine
+                                              ? bands_of(prepared.compiled.crop)
+                                              : std::vector{prepared.compiled.crop};
+    for (std::size_t i = 0; i < bands.size() && !result.stopped; ++i) {
+        prepared.compiled.crop = bands[i];
+        const RunControl part = control_of_part(control, i, bands.size());
+        add_run(result, prepared.compiled, places,
+                request.machine ? run_on_machine(prepared.compiled, choice, part)
+                                : run_natively(prepared.compiled, choice, part));
+        if (take && !result.stopped) take(result);
+    }
+    result.warnings += warnings_about(result.statistics.rays, prepared.compiled.cell_cap);
+    result.warnings += alarm_text(result.statistics.alarms);
+    result.statistics.seconds.total = clock.lap();
+    return result;
+}
+
+CompiledScene compiled_scene_of(const RenderRequest& request) { return prepare(request).compiled; }
 
 std::string explain_pixel(const RenderRequest& request, long x, long y) {
     const Prepared prepared = prepare(request);

@@ -1,6 +1,7 @@
 // A render from text to picture: host/render/render.cpp is the path as code, one call each.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -37,10 +38,12 @@ struct RenderRequest {
     const Model* machine = nullptr;  // null: native
     int threads = 1;
     CostModel costs = default_cost_model();  // of the machine
+    std::optional<std::uint32_t> cell_cap;   // of studies; absent: that of CompiledScene
 };
 
 struct RenderResult {
-    Frame frame;
+    Frame frame;        // of the window, or the last band of it
+    CropWindow window;  // what was rendered, of the image
     Statistics statistics;
     std::string warnings;     // for the user, empty if there are none
     bool stopped = false;     // given up by control.stop: the frame is incomplete
@@ -48,11 +51,20 @@ struct RenderResult {
     double pixel_growth = 0;
 };
 
-/// Renders. Throws Error: the scene is wrong (3), a file cannot be read (4), the machine is too
-/// small (5).
-[[nodiscard]] RenderResult render(const RenderRequest& request, const RunControl& control);
+/// Takes the frame of a result: the next rows of the window from the top. All but the counts of
+/// what is still to come is known.
+using TakeBand = std::function<void(const RenderResult&)>;
 
-/// The same path up to the engine, then one pixel's descent as text (`--pixel x,y`). A pixel
+/// Renders. A window whose frame would be large in memory is rendered in bands if there is somebody
+/// to take them; natively only. Throws Error: the scene is wrong (3), a file cannot be read (4),
+/// the machine is too small (5).
+[[nodiscard]] RenderResult render(const RenderRequest& request, const RunControl& control,
+                                  const TakeBand& take = nullptr);
+
+/// The same path up to the engine. Throws Error: the scene is wrong (3), a file cannot be read (4).
+[[nodiscard]] CompiledScene compiled_scene_of(const RenderRequest& request);
+
+/// The same, then one pixel's descent as text (`--pixel x,y`). A pixel
 /// outside the image is an Error(ExitCode::command_line).
 [[nodiscard]] std::string explain_pixel(const RenderRequest& request, long x, long y);
 

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "dsp_kernels/flatness.hpp"
 #include "dsp_kernels/floor_block.hpp"
@@ -93,6 +94,23 @@ void write_volume(BlockWriter<Real>& block, std::uint32_t address, const Compile
     }
 }
 
+/// Writes the inverse of a map as 12 numbers.
+template <class Real>
+void write_inverse(BlockWriter<Real>& block, std::uint32_t address, const Affine& map) {
+    block.affine(address, inverse(map));
+}
+
+/// In long double throughout, so that its nodes are told nothing of lower precision.
+void write_inverse(BlockWriter<long double>& block, std::uint32_t address, const Affine& map) {
+    using Vector = glm::vec<3, long double>;
+    const auto back = glm::inverse(glm::mat<3, 3, long double>(map.linear));
+    const auto write = [&](const Vector& v) {
+        for (int i = 0; i < 3; ++i, address += real_words<long double>) block.number(address, v[i]);
+    };
+    for (int i = 0; i < 3; ++i) write(back[i]);
+    write(-(back * Vector(map.translation)));
+}
+
 /// Writes a shape's maps and follow sets; returns the address of its start set.
 template <class Real>
 std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape, bool area) {
@@ -117,7 +135,7 @@ std::uint32_t write_shape(BlockWriter<Real>& block, const CompiledShape& shape, 
         const std::uint32_t address = maps + static_cast<std::uint32_t>(i) * Map::words;
         block.integer(address + Map::follow_set, sets[static_cast<std::size_t>(map.follow_set)]);
         block.integer(address + Map::symbol, static_cast<std::uint32_t>(i));
-        block.affine(address + Map::inverse, inverse(map.map));
+        write_inverse(block, address + Map::inverse, map.map);
         block.linear(address + Map::linear, map.map.linear);
         block.real(address + Map::constant, map.constant);
         block.real(address + Map::least, map.least);
@@ -142,7 +160,7 @@ void write_object(BlockWriter<Real>& block, std::uint32_t address, const Compile
     block.integer(address + Object::levels, object.levels);
     block.integer(address + Object::symbol_bits, symbol_bits(shape.maps.size()));
     block.integer(address + Object::lifted, shape.lifted ? 1 : 0);
-    block.affine(address + Object::inverse, inverse(object.instance));
+    write_inverse(block, address + Object::inverse, object.instance);
     block.linear(address + Object::linear, object.instance.linear);
     block.real(address + Object::constant, object.constant);
     block.real(address + Object::smallest_pixel, smallest_pixel_share<Real>() * object.diameter);
@@ -288,14 +306,18 @@ std::uint64_t block_hash(const std::vector<std::uint32_t>& block) {
 template double smallest_pixel_share<dsp32::Float>();
 template double smallest_pixel_share<float>();
 template double smallest_pixel_share<double>();
+template double smallest_pixel_share<long double>();
 template std::vector<std::uint32_t> make_scene_block<dsp32::Float>(const CompiledScene&);
 template std::vector<std::uint32_t> make_scene_block<float>(const CompiledScene&);
 template std::vector<std::uint32_t> make_scene_block<double>(const CompiledScene&);
+template std::vector<std::uint32_t> make_scene_block<long double>(const CompiledScene&);
 template std::uint32_t object_index<dsp32::Float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t object_index<float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t object_index<double>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t object_index<long double>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t plane_index<dsp32::Float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t plane_index<float>(const std::vector<std::uint32_t>&, std::uint32_t);
 template std::uint32_t plane_index<double>(const std::vector<std::uint32_t>&, std::uint32_t);
+template std::uint32_t plane_index<long double>(const std::vector<std::uint32_t>&, std::uint32_t);
 
 }  // namespace pxm::host

@@ -26,6 +26,8 @@ struct RayStatistics {
     std::uint64_t heap_overflows = 0;  // rays that dropped a cell
     std::uint64_t restarts = 0;        // rays finished by next_after
     std::uint64_t capped_rays = 0;
+    std::uint64_t overflowed_pixels =
+        0;  // a result was beyond the numbers' range (dsp32: saturated)
 
     void add(const RayStatistics& other);
 };

@@ -9,6 +9,7 @@
 #include "host/study/deviation.hpp"
 #include "host/study/error_page.hpp"
 #include "host/study/error_settings.hpp"
+#include "host/study/pareto.hpp"
 #include "host/study/study_scene.hpp"
 
 namespace pxm::host {
@@ -16,6 +17,7 @@ namespace pxm::host {
 namespace {
 
 const PixelSize default_size{160, 128};
+constexpr std::uint32_t cell_cap = 5'000;  // of the settings: hopeless ones shall end
 
 /// A scene's references, rendered when the first of its settings is measured.
 struct References {
@@ -49,28 +51,40 @@ Json machine_seconds(RenderRequest request, const StudyRequest& study, const Uni
     return static_cast<double>(slowest) * instruction_seconds;
 }
 
-Json measure_setting(const std::string& scene, const ErrorSetting& setting,
-                     const StudyRequest& study, References& references,
-                     const UnitControl& control) {
-    if (!references.color) {
-        references.depth = render_unit(request_for(scene, depth_reference(), study), control);
-        references.color = render_unit(request_for(scene, color_reference(), study), control);
-    }
-    const RenderRequest request = request_for(scene, setting.overrides, study);
-    std::optional<RenderResult> picture;
-    Json result = {{"settings", {{"name", setting.name}}}};
-    result["machine_seconds"] = machine_seconds(request, study, control, picture);
+void render_references(const std::string& scene, const StudyRequest& study, References& references,
+                       const UnitControl& control) {
+    references.depth = render_unit(request_for(scene, depth_reference(), study), control);
+    references.color = render_unit(request_for(scene, color_reference(), study), control);
+}
+
+/// Median and spread of the host's seconds for a native render.
+Json host_seconds(const RenderRequest& request, int repeats, const UnitControl& control,
+                  std::optional<RenderResult>& picture) {
     std::vector<double> seconds;
-    for (int i = 0; i < study.repeats; ++i) {
+    for (int i = 0; i < repeats; ++i) {
         const RenderResult again = render_unit(request, control);
         seconds.push_back(again.statistics.seconds.render);
         if (!picture) picture = again;
     }
     std::ranges::sort(seconds);
+    return {{"host_seconds", seconds[seconds.size() / 2]},
+            {"host_spread", {seconds.front(), seconds.back()}}};
+}
+
+Json measure_setting(const std::string& scene, const ErrorSetting& setting,
+                     const StudyRequest& study, const References& references,
+                     const UnitControl& control) {
+    RenderRequest request = request_for(scene, setting.overrides, study);
+    request.cell_cap = cell_cap;
+    std::optional<RenderResult> picture;
+    Json result = {{"settings", {{"name", setting.name}}}};
+    result["machine_seconds"] = nullptr;
+    if (!setting.native_only)
+        result["machine_seconds"] = machine_seconds(request, study, control, picture);
+    result.update(host_seconds(request, study.repeats, control, picture));
     const Deviation color = deviation_of(*picture, *references.color);
     const Deviation depth = deviation_of(*picture, *references.depth);
-    result["host_seconds"] = seconds[seconds.size() / 2];
-    result["host_spread"] = {seconds.front(), seconds.back()};
+    result["capped_rays"] = picture->statistics.rays.capped_rays;
     result["rmse"] = color.rmse;
     result["color_99"] = color.color_99;
     result["perceived"] = color.perceived;
@@ -80,75 +94,48 @@ Json measure_setting(const std::string& scene, const ErrorSetting& setting,
     return result;
 }
 
-/// Marks the points that no other beats in both time and error, and names what beats the others.
-void mark_pareto(Json& points, const char* time, const char* mark, const char* by) {
-    for (Json& point : points) {
-        point[mark] = !point[time].is_null();
-        point[by] = nullptr;
-        for (const Json& other : points) {
-            if (point[time].is_null() || other[time].is_null()) continue;
-            const double t = other[time].get<double>() - point[time].get<double>();
-            const double e = other["rmse"].get<double>() - point["rmse"].get<double>();
-            if (t > 0 || e > 0 || (t == 0 && e == 0)) continue;
-            point[mark] = false;
-            if (point[by].is_null()) point[by] = other["settings"]["name"];
-        }
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// A setting that the scene does not allow (`fast` takes homotheties alone) is no point: it says
+/// why.
+Json measure_if_allowed(const std::string& scene, const ErrorSetting& setting,
+                        const StudyRequest& study, References& references,
+                        const UnitControl& control) {
+    if (!references.color) render_references(scene, study, references, control);
+    try {
+        return measure_setting(scene, setting, study, references, control);
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::scene && error.code() != ExitCode::command_line) throw;
+        return {{"settings", {{"name", setting.name}}}, {"refused", first_line(error.what())}};
     }
 }
 
-/// The point of least `least` among those whose `bounded` is at most `bound`; null if none is.
-const Json* best(const Json& points, const char* least, const char* bounded, double bound) {
-    const Json* found = nullptr;
-    for (const Json& point : points) {
-        if (point[least].is_null() || point[bounded].is_null()) continue;
-        if (point[bounded].get<double>() > bound) continue;
-        if (!found || point[least].get<double>() < (*found)[least].get<double>()) found = &point;
-    }
-    return found;
-}
-
-std::string spoken(const Json& point) {
-    return fmt::format(
-        "`{}` ({:.3g} s on the machine, RMSE {:.4f})", point["settings"]["name"].get<std::string>(),
-        point["machine_seconds"].is_null() ? NAN : point["machine_seconds"].get<double>(),
-        point["rmse"].get<double>());
-}
-
-std::string advice_for(const Json& points) {
-    const Json& base = points[0];
-    const Json* most_exact = best(points, "rmse", "machine_seconds", INFINITY);
-    if (!most_exact) return "for this scene: it does not fit the machine";
-    const Json* as_good = best(points, "machine_seconds", "rmse", base["rmse"].get<double>());
-    const double halfway =
-        std::sqrt(base["rmse"].get<double>() * (*most_exact)["rmse"].get<double>());
-    const Json* middle = best(points, "machine_seconds", "rmse", halfway);
-    return fmt::format(
-        "for this scene: as good as the default, fastest: {}; most of the way to the best: {}; the "
-        "best: {}",
-        spoken(as_good ? *as_good : base), spoken(middle ? *middle : *most_exact),
-        spoken(*most_exact));
-}
-
-Json scene_json(const std::string& scene, Json points, const StudyRequest& study) {
+Json scene_json(const std::string& scene, const Json& results, const StudyRequest& study) {
+    Json points = Json::array();
+    Json refused = Json::array();
+    for (const Json& result : results)
+        (result.contains("refused") ? refused : points).push_back(result);
     mark_pareto(points, "machine_seconds", "pareto", "dominated_by");
     mark_pareto(points, "host_seconds", "pareto_host", "dominated_by_host");
     const PixelSize size = study.size.value_or(default_size);
     Json json = {
         {"scene", scene},
         {"size", {size.columns, size.rows}},
+        {"cell_cap", cell_cap},
         {"reference", {{"numeric", "double"}, {"samples", 64}, {"detail", 0.1}, {"heap", 65'536}}}};
     if (study.budget_seconds) {
-        const Json* point = best(points, "rmse", "host_seconds", *study.budget_seconds);
+        const Json* point = best_point(points, "rmse", "host_seconds", *study.budget_seconds);
         json["budget"] = {{"seconds", *study.budget_seconds},
                           {"settings", point ? (*point)["settings"]["name"] : Json(nullptr)}};
     }
     if (study.target_error) {
-        const Json* point = best(points, "host_seconds", "rmse", *study.target_error);
+        const Json* point = best_point(points, "host_seconds", "rmse", *study.target_error);
         json["target"] = {{"rmse", *study.target_error},
                           {"settings", point ? (*point)["settings"]["name"] : Json(nullptr)}};
     }
     json["advice"] = advice_for(points);
     json["points"] = std::move(points);
+    json["refused"] = std::move(refused);
     return json;
 }
 
@@ -176,17 +163,18 @@ StudyPlan plan_error(const StudyRequest& request) {
                                    {"repeats", request.repeats},
                                    {"model", request.machine ? request.machine->name : "964dX"}},
                                   [=, setting = settings[k]](const UnitControl& control) {
-                                      return measure_setting(scene, setting, request, *references,
-                                                             control);
+                                      return measure_if_allowed(scene, setting, request,
+                                                                *references, control);
                                   }});
         }
     }
     plan.assemble = [=, count = settings.size()](const std::vector<Json>& results) {
         Json data = {{"scenes", Json::array()}};
         for (std::size_t i = 0; i < request.scenes.size(); ++i) {
-            Json points = Json::array();
-            for (std::size_t k = 0; k < count; ++k) points.push_back(results[i * count + k]);
-            data["scenes"].push_back(scene_json(request.scenes[i], std::move(points), request));
+            const auto first = results.begin() + static_cast<std::ptrdiff_t>(i * count);
+            const Json of_scene(
+                std::vector<Json>(first, first + static_cast<std::ptrdiff_t>(count)));
+            data["scenes"].push_back(scene_json(request.scenes[i], of_scene, request));
         }
         return data;
     };

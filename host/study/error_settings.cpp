@@ -23,6 +23,8 @@ ErrorSetting changed(const ErrorSetting& from, const std::string& name,
 std::vector<ErrorSetting> error_settings() {
     ErrorSetting base;
     base.overrides.numeric = Numeric::dsp32;
+    base.overrides.samples = 1;
+    base.overrides.intersect = IntersectMethod::heap;
     std::vector<ErrorSetting> list{{"default", base.overrides}};
     const auto axis = [&](const char* option, std::initializer_list<const char*> values,
                           const auto& change) {
@@ -36,8 +38,17 @@ std::vector<ErrorSetting> error_settings() {
          [](SceneOverrides& o, const std::string& v) { o.detail = std::stod(v); });
     axis("--lipschitz", {"product", "determinant", "polar"},
          [](SceneOverrides& o, const std::string& v) { o.lipschitz = parse_lipschitz(v); });
-    axis("--volume", {"sphere", "box"},
+    axis("--volume", {"sphere", "box", "oriented", "hull"},
          [](SceneOverrides& o, const std::string& v) { o.volume = parse_volume(v); });
+    list.push_back(changed(base, "--volume sphere --intersect fast", [](SceneOverrides& o) {
+        o.volume = VolumeKind::sphere;
+        o.intersect = IntersectMethod::fast;
+    }));
+    list.push_back(changed(base, "--numeric float --intersect wide", [](SceneOverrides& o) {
+        o.numeric = Numeric::single;
+        o.intersect = IntersectMethod::wide;
+    }));
+    list.back().native_only = true;
     axis("--heap", {"1", "4", "16", "64"},
          [](SceneOverrides& o, const std::string& v) { o.heap = std::stol(v); });
     axis("--levels", {"3", "6"},

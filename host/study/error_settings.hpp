@@ -12,10 +12,11 @@ namespace pxm::host {
 struct ErrorSetting {
     std::string name;  // as on the command line
     SceneOverrides overrides;
+    bool native_only = false;  // a machine has no such engine
 };
 
-/// Every setting of the sweep: one axis at a time away from the default (dsp32, one sample), then
-/// products of those that matter most.
+/// Every setting of the sweep: one axis at a time away from the default (dsp32, one ray a pixel
+/// whatever the scene asks for), then products of those that matter most.
 [[nodiscard]] std::vector<ErrorSetting> error_settings();
 
 /// Double, 64 stratified samples, cells ten times finer, room for every cell.

@@ -18,15 +18,15 @@ h1, h2, h3 { font-weight: 600; line-height: 1.2; }
 h2 { border-top: 2px solid #14213d; padding-top: .5em; margin-top: 2em; }
 table { border-collapse: collapse; margin: 1em 0; font-size: 14px; }
 th, td { padding: .2em .7em; text-align: right; border-bottom: 1px solid #ccd; }
-th:first-child, td:first-child { text-align: left; }
-.wide { overflow-x: auto; }
+th:first-child, td:first-child { text-align: left; white-space: nowrap; }
+.wide { overflow-x: auto; } .wide svg { min-width: 600px; }
 svg { max-width: 760px; width: 100%; height: auto; font: 12px Georgia, serif; display: block; }
 .row { display: flex; flex-wrap: wrap; gap: 1.5em; align-items: flex-start; }
 .row > figure { flex: 1 1 205px; max-width: 460px; margin: 0; }
 figure { margin: 1em 0; }
 figure img { width: 100%; image-rendering: pixelated; border: 1px solid #ccd; display: block; }
 figcaption { font-size: 13px; }
-.title { font-size: 14px; font-weight: 600; }
+.title { font-size: 14px; font-weight: 600; } .label { font-size: 10.5px; fill: #3a4660; }
 .axis { stroke: #14213d; } .grid { stroke: #e3e6ee; } .mean { stroke: #d1495b; stroke-dasharray: 5 3; }
 .bar { fill: #3d5a80; } .bar:hover, .cell:hover { stroke: #d1495b; stroke-width: 2; }
 .cell { stroke: #fff; stroke-width: .5; } .hit { fill: transparent; stroke: none; }
@@ -95,6 +95,13 @@ std::string quoted(const std::string& field) {
     return text;
 }
 
+/// No line ends before a per cent sign.
+std::string joined(std::string text) {
+    for (auto at = text.find(" %"); at != text.npos; at = text.find(" %"))
+        text.replace(at, 1, "&nbsp;");
+    return text;
+}
+
 }  // namespace
 
 Page::Page(const std::string& title) : title_(title) {}
@@ -118,13 +125,16 @@ void Page::table(const PageTable& table) {
     body_ += "</tr>\n";
     for (const auto& cells : table.rows) {
         body_ += "<tr>";
-        for (const std::string& cell : cells) body_ += fmt::format("<td>{}</td>", escaped(cell));
+        for (const std::string& cell : cells)
+            body_ += fmt::format("<td>{}</td>", joined(escaped(cell)));
         body_ += "</tr>\n";
     }
     body_ += "</table></div>\n";
 }
 
-void Page::plot(const std::string& svg) { body_ += fmt::format("<figure>{}</figure>\n", svg); }
+void Page::plot(const std::string& svg) {
+    body_ += fmt::format("<figure class=\"wide\">{}</figure>\n", svg);
+}
 
 void Page::row(const std::vector<std::string>& figures) {
     body_ += "<div class=\"row\">\n";

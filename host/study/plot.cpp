@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "host/study/plot_labels.hpp"
+#include "host/study/plot_mapping.hpp"
+
 namespace pxm::host {
 
 namespace {
@@ -27,56 +30,6 @@ constexpr Style styles[] = {{"#14213d", ""},        {"#d1495b", "7 3"},        {
                             {"#e08a00", "9 3 2 3"}, {"#5b5bd6", "4 4"},        {"#8a8a8a", "1 2"},
                             {"#00798c", "12 3"},    {"#9c3587", "6 2 2 2 2 2"}};
 
-/// Values to places along an axis.
-class Mapping {
-  public:
-    Mapping(const PlotAxis& axis, double low, double high, double from, double to)
-        : scale_(axis.scale), from_(from), to_(to) {
-        low_ = place(axis.low.value_or(low));
-        high_ = place(axis.high.value_or(high));
-        if (!(high_ > low_)) {
-            low_ -= 0.5;
-            high_ += 0.5;
-        }
-    }
-    [[nodiscard]] double operator()(double value) const {
-        const double share = (place(value) - low_) / (high_ - low_);
-        return from_ + std::clamp(share, 0.0, 1.0) * (to_ - from_);
-    }
-    [[nodiscard]] std::vector<double> ticks() const {
-        return scale_ == AxisScale::logarithmic ? decades() : round_numbers();
-    }
-
-  private:
-    [[nodiscard]] double place(double value) const {
-        if (scale_ == AxisScale::linear) return value;
-        return std::log10(std::max(value, std::numeric_limits<double>::min()));
-    }
-    [[nodiscard]] std::vector<double> decades() const {
-        std::vector<double> values;
-        const double step = std::max(1.0, std::ceil((high_ - low_) / 8));
-        for (double e = std::ceil(low_ - 1e-9); e <= high_ + 1e-9; e += step)
-            values.push_back(std::pow(10, e));
-        return values;
-    }
-    [[nodiscard]] std::vector<double> round_numbers() const {
-        const double raw = (high_ - low_) / 5;
-        const double power = std::pow(10, std::floor(std::log10(raw)));
-        const double lead = raw / power;
-        const double step = power * (lead > 5 ? 10 : lead > 2 ? 5 : lead > 1 ? 2 : 1);
-        std::vector<double> values;
-        for (double k = std::ceil(low_ / step - 1e-9); k * step <= high_ + step * 1e-9; ++k)
-            values.push_back(k * step);
-        return values;
-    }
-
-    AxisScale scale_;
-    double low_;
-    double high_;
-    double from_;
-    double to_;
-};
-
 std::string text_at(double x, double y, const char* anchor, const std::string& text,
                     const char* more = "") {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
@@ -97,11 +50,17 @@ std::string opening(double w, double h, const std::string& title) {
            text_at(0, 16, "start", title, " class=\"title\"");
 }
 
+/// Large powers of ten have many digits, which would meet along an axis.
+std::string tick_text(const PlotAxis& axis, double value) {
+    const bool power = axis.scale == AxisScale::logarithmic && axis.ticks.empty();
+    return power && value >= 1e5 ? fmt::format("1e{:.0f}", std::log10(value)) : number_text(value);
+}
+
 std::string x_axis(const PlotAxis& axis, const Mapping& map) {
     std::string svg = line_between(left, bottom_line, right_line, bottom_line, "axis");
     for (const double tick : axis.ticks.empty() ? map.ticks() : axis.ticks) {
         svg += line_between(map(tick), bottom_line, map(tick), bottom_line + 4, "axis");
-        svg += text_at(map(tick), bottom_line + 17, "middle", number_text(tick));
+        svg += text_at(map(tick), bottom_line + 17, "middle", tick_text(axis, tick));
     }
     return svg + text_at((left + right_line) / 2, height - 8, "middle", axis.label);
 }
@@ -110,7 +69,7 @@ std::string y_axis(const PlotAxis& axis, const Mapping& map) {
     std::string svg = line_between(left, top, left, bottom_line, "axis");
     for (const double tick : axis.ticks.empty() ? map.ticks() : axis.ticks) {
         svg += line_between(left, map(tick), right_line, map(tick), "grid");
-        svg += text_at(left - 6, map(tick) + 4, "end", number_text(tick));
+        svg += text_at(left - 6, map(tick) + 4, "end", tick_text(axis, tick));
     }
     return svg + text_at(-(top + bottom_line) / 2, 14, "middle", axis.label,
                          " transform=\"rotate(-90)\"");
@@ -139,16 +98,37 @@ std::string series_of(const PlotSeries& series, const Mapping& x, const Mapping&
     return svg;
 }
 
+/// The names of the points that have one. Marks come first, so that no label hides one.
+std::string labels_of(const std::vector<PlotSeries>& all, const Mapping& x, const Mapping& y) {
+    LabelPlacer placer({left + 4, top, width, bottom_line});
+    for (const PlotSeries& series : all)
+        for (const PlotPoint& p : series.points) placer.mark(x(p.x), y(p.y));
+    std::string svg;
+    for (const PlotSeries& series : all) {
+        for (const PlotPoint& p : series.points) {
+            if (p.label.empty()) continue;
+            const auto place = placer.place(x(p.x), y(p.y), p.label);
+            if (place)
+                svg += text_at(place->x, place->y, place->anchor, p.label, " class=\"label\"");
+        }
+    }
+    return svg;
+}
+
 std::string legend(const std::vector<PlotSeries>& series) {
     std::string svg;
     double y = top + 8;
     for (std::size_t i = 0; i < series.size(); ++i, y += 18) {
         const Style& style = styles[i % std::size(styles)];
-        svg += fmt::format(
-            "<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{2:.1f}\" y2=\"{1:.1f}\" stroke=\"{3}\" "
-            "stroke-width=\"2\" stroke-dasharray=\"{4}\"/>\n",
-            right_line + 10, y - 4, right_line + 34, style.color,
-            series[i].line ? style.dashes : "2 2");
+        if (series[i].line) {
+            svg += fmt::format(
+                "<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{2:.1f}\" y2=\"{1:.1f}\" stroke=\"{3}\" "
+                "stroke-width=\"2\" stroke-dasharray=\"{4}\"/>\n",
+                right_line + 10, y - 4, right_line + 34, style.color, style.dashes);
+        } else {
+            svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n",
+                               right_line + 22, y - 4, style.color);
+        }
         svg += text_at(right_line + 40, y, "start", series[i].name);
     }
     return svg;
@@ -171,47 +151,6 @@ bool can_show(const PlotAxis& axis, double value) {
 }
 
 }  // namespace
-
-std::string number_text(double value) {
-    if (value == 0) return "0";
-    if (!std::isfinite(value)) return value > 0 ? "inf" : value < 0 ? "-inf" : "nan";
-    const double size = std::abs(value);
-    if (size < 1e-4 || size >= 1e9) return fmt::format("{:.3g}", value);
-    if (size < 1000) return fmt::format("{:.4g}", value);
-    const std::string digits = fmt::format("{:.0f}", size);
-    std::string grouped(value < 0 ? 1 : 0, '-');
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) grouped += ',';
-        grouped += digits[i];
-    }
-    return grouped;
-}
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            case '\n':
-                result += "&#10;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
 
 ScaleColor scale_color(double share) {
     // Lightness falls all the way, so that the scale survives a grey print.
@@ -245,7 +184,7 @@ std::string svg_of(const LinePlot& plot) {
     std::string svg = opening(width, height, plot.title) + x_axis(plot.x, x) + y_axis(plot.y, y);
     for (std::size_t i = 0; i < shown.size(); ++i)
         svg += series_of(shown[i], x, y, styles[i % std::size(styles)]);
-    return svg + legend(shown) + "</svg>\n";
+    return svg + labels_of(shown, x, y) + legend(shown) + "</svg>\n";
 }
 
 std::string svg_of(const BarPlot& plot) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "host/study/plot_text.hpp"
+
 namespace pxm::host {
 
 enum class AxisScale { linear, logarithmic };
@@ -22,8 +24,9 @@ struct PlotAxis {
 struct PlotPoint {
     double x = 0;
     double y = 0;
-    std::string tip;      // lines
-    bool marked = false;  // drawn larger
+    std::string tip;         // lines
+    bool marked = false;     // drawn larger
+    std::string label = {};  // beside the mark, where there is room
 };
 
 struct PlotSeries {
@@ -65,11 +68,6 @@ struct HeatMap {
 [[nodiscard]] std::string svg_of(const LinePlot& plot);
 [[nodiscard]] std::string svg_of(const BarPlot& plot);
 [[nodiscard]] std::string svg_of(const HeatMap& map);
-
-/// A number for people: 12,345, 0.9731, 1.2e-07.
-[[nodiscard]] std::string number_text(double value);
-/// Text for HTML, attributes included.
-[[nodiscard]] std::string escaped(const std::string& text);
 
 /// Red, green, blue (0..255) of a share 0..1 of the colour scale.
 struct ScaleColor {

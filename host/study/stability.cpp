@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "host/output/safe_file.hpp"
 #include "host/study/deviation.hpp"
+#include "host/study/extended.hpp"
+#include "host/study/grade.hpp"
 #include "host/study/stability_cases.hpp"
 #include "host/study/stability_page.hpp"
 #include "host/study/study_scene.hpp"
@@ -14,36 +17,41 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double right_share = 0.001;    // of wrong pixels: design decision 4
-constexpr double degraded_share = 0.02;  // more is a failure
-constexpr double twin_unit = 3;          // no power of 2: everything is rounded otherwise
+constexpr int mantissa_bits = std::numeric_limits<long double>::digits;
+constexpr double twin_unit = 3;  // no power of 2: everything is rounded otherwise
 
-/// What computes. A line here is an engine that the study knows.
+/// What computes. A line here is an engine that the study knows. `auto` is the wide engine wherever
+/// it applies, and what it leaves to the clear kernels they do.
 struct NumberChoice {
     const char* name;
     Numeric numeric;
-    std::optional<IntersectMethod> intersect = {};
+    IntersectMethod intersect;
 };
-const NumberChoice choices[] = {
-    {"dsp32", Numeric::dsp32}, {"float", Numeric::single}, {"double", Numeric::twice}};
+const NumberChoice choices[] = {{"dsp32", Numeric::dsp32, IntersectMethod::heap},
+                                {"float", Numeric::single, IntersectMethod::heap},
+                                {"wide", Numeric::single, IntersectMethod::automatic},
+                                {"double", Numeric::twice, IntersectMethod::heap}};
 
-RenderResult render_as(const std::string& path, VolumeKind volume, const NumberChoice& choice,
-                       const UnitControl& control, int threads) {
+RenderRequest request_for(const StabilityCase& one, const std::string& path,
+                          const NumberChoice& choice, int threads) {
     RenderRequest request;
     request.scene_path = path;
     request.threads = threads;
     request.overrides.numeric = choice.numeric;
     request.overrides.intersect = choice.intersect;
-    request.overrides.volume = volume;
-    return render_unit(request, control);
+    request.overrides.volume = one.volume;
+    request.overrides.size = one.size;
+    request.overrides.samples = 1;
+    request.cell_cap = one.cell_cap;
+    return request;
 }
 
-/// Wrong pixels that no alarm of the pixel's own tells of.
-double missed_share(const RenderResult& picture, const std::vector<char>& wrong) {
-    double missed = 0;
-    for (std::size_t i = 0; i < wrong.size(); ++i)
-        missed += wrong[i] && picture.frame.pixels[i].alarms == 0;
-    return missed / static_cast<double>(std::max<std::size_t>(1, wrong.size()));
+/// What the pictures of a case are judged by.
+RenderResult reference_for(const StabilityCase& one, const std::string& path,
+                           const UnitControl& control) {
+    RenderResult result = render_extended(request_for(one, path, choices[0], 1), control.run);
+    if (result.stopped) throw StudyStopped{};
+    return result;
 }
 
 bool any_alarm(const RenderResult& picture) {
@@ -51,30 +59,33 @@ bool any_alarm(const RenderResult& picture) {
                                [](const Alarm& alarm) { return alarm.count > 0; });
 }
 
-const char* grade_of(double wrong_share, bool alarmed) {
-    if (wrong_share <= right_share) return "right";
-    if (wrong_share <= degraded_share) return "degraded";
-    return alarmed ? "reported" : "silent";
-}
-
-Json compared(const RenderResult& picture, const RenderResult& reference, double scale) {
-    const Deviation d = deviation_of(picture, reference, scale);
-    const Statistics& s = picture.statistics;
+Json counts_json(const Statistics& s) {
     Json alarms = Json::object();
     for (const Alarm& alarm : s.alarms)
         if (alarm.count > 0) alarms[alarm.name] = alarm.count;
-    return {{"wrong_share", d.wrong_share},
-            {"missed_share", missed_share(picture, d.wrong)},
-            {"worst_depth_pixels", d.worst_depth},
-            {"grade", grade_of(d.wrong_share, any_alarm(picture))},
-            {"alarms", alarms},
+    return {{"alarms", alarms},
+            {"pixels", s.rays.pixels},
+            {"engine", s.intersect},
             {"hits", s.rays.hits},
+            {"overflowed_pixels", alarms.value("overflow", 0)},
             {"heap_overflows", s.rays.heap_overflows},
             {"restarts", s.rays.restarts},
             {"capped_rays", s.rays.capped_rays},
             {"cells_per_ray", static_cast<double>(s.rays.volumes_tested) /
                                   static_cast<double>(std::max<std::uint64_t>(1, s.rays.pixels))},
             {"host", {{"render_seconds", s.seconds.render}}}};
+}
+
+Json compared(const RenderResult& picture, const RenderResult& reference) {
+    const Deviation d = deviation_of(picture, reference);
+    const std::vector<char> wrong = wrong_pixels(d, reference);
+    Json json = {{"wrong_share", share_of(wrong)},
+                 {"missed_share", missed_share(picture, wrong)},
+                 {"worst_depth_pixels", d.worst_depth},
+                 {"rmse", d.rmse},
+                 {"grade", grade_of(share_of(wrong), any_alarm(picture))}};
+    json.update(counts_json(picture.statistics));
+    return json;
 }
 
 /// A scene that is refused has said so.
@@ -87,34 +98,51 @@ Json refused(const Error& error) {
             {"message", error.what()}};
 }
 
+/// The files of a case: the scene, and its twin with all lengths times `twin_unit`, of which a
+/// user's scene has none.
+struct CaseFiles {
+    std::string scene;
+    std::string twin;
+};
+
+CaseFiles files_of(const StabilityCase& one, const std::string& name, const std::string& folder) {
+    if (!one.path.empty()) return {one.path, ""};
+    const CaseFiles files{folder + "/" + name + ".pxm", folder + "/" + name + "-twin.pxm"};
+    write_text_safely(files.scene, one.text(1));
+    write_text_safely(files.twin, one.text(twin_unit));
+    return files;
+}
+
+/// Pixels of double that the twin's roundings change: the host's part of the error, which the
+/// reference shares.
+double twin_share(const StabilityCase& one, const CaseFiles& files, const RenderResult& picture,
+                  const NumberChoice& choice, int threads, const UnitControl& control) {
+    const RenderResult twin = render_unit(request_for(one, files.twin, choice, threads), control);
+    return deviation_of(picture, twin, twin_unit).wrong_share;
+}
+
 Json measure_case(const StabilityCase& one, const std::string& name, int threads,
                   const UnitControl& control) {
-    const std::string path = control.folder + "/" + name + ".pxm";
-    const std::string twin_path = control.folder + "/" + name + "-twin.pxm";
-    write_text_safely(path, one.text(1));
-    write_text_safely(twin_path, one.text(twin_unit));
-    const NumberChoice& exact = choices[std::size(choices) - 1];
+    const CaseFiles files = files_of(one, name, control.folder);
     Json results = Json::array();
     std::optional<RenderResult> reference;
-    for (auto choice = std::rbegin(choices); choice != std::rend(choices); ++choice) {
+    for (const NumberChoice& choice : choices) {
         Json result = {{"name", one.name},
                        {"family", one.family},
                        {"value", one.value},
-                       {"scene", name + ".pxm"},
-                       {"numeric", choice->name}};
+                       {"scene", one.path.empty() ? name + ".pxm" : one.path},
+                       {"numeric", choice.name}};
         try {
-            const RenderResult picture = render_as(path, one.volume, *choice, control, threads);
-            if (!reference) {
-                reference = picture;
-                result.update(compared(
-                    picture, render_as(twin_path, one.volume, exact, control, threads), twin_unit));
-            } else {
-                result.update(compared(picture, *reference, 1));
-            }
+            if (!reference) reference = reference_for(one, files.scene, control);
+            const RenderResult picture =
+                render_unit(request_for(one, files.scene, choice, threads), control);
+            result.update(compared(picture, *reference));
+            if (choice.numeric == Numeric::twice && !files.twin.empty())
+                result["twin_share"] = twin_share(one, files, picture, choice, threads, control);
         } catch (const Error& error) {
             result.update(refused(error));
         }
-        results.insert(results.begin(), result);
+        results.push_back(result);
     }
     return results;
 }
@@ -122,25 +150,29 @@ Json measure_case(const StabilityCase& one, const std::string& name, int threads
 }  // namespace
 
 StudyPlan plan_stability(const StudyRequest& request) {
-    if (!request.scenes.empty()) {
-        throw Error(ExitCode::command_line,
-                    "study stability: it makes its own scenes, give it none");
-    }
     StudyPlan plan;
-    for (const StabilityCase& one : stability_cases()) {
+    std::vector<StabilityCase> cases = stability_cases();
+    for (const std::string& scene : request.scenes) cases.push_back(case_of(scene, request.size));
+    for (const StabilityCase& one : cases) {
         const std::string name = fmt::format("case-{:02}", plan.units.size() + 1);
-        plan.units.push_back({name,
-                              {{"study", "stability"},
-                               {"pxm", PXM_VERSION},
-                               {"case", one.name},
-                               {"volume", static_cast<int>(one.volume)},
-                               {"scene", one.text(1)}},
-                              [=, threads = request.threads](const UnitControl& control) {
-                                  return measure_case(one, name, threads, control);
-                              }});
+        const PixelSize size = one.size.value_or(PixelSize{});
+        plan.units.push_back(
+            {name,
+             {{"study", "stability"},
+              {"pxm", PXM_VERSION},
+              {"case", one.name},
+              {"size", {size.columns, size.rows}},
+              {"volume", static_cast<int>(one.volume.value_or(VolumeKind{}))},
+              {"cell_cap", one.cell_cap.value_or(0)},
+              {"scene", one.path.empty() ? one.text(1) : fingerprint_of(one.path)}},
+             [=, threads = request.threads](const UnitControl& control) {
+                 return measure_case(one, name, threads, control);
+             }});
     }
     plan.assemble = [](const std::vector<Json>& results) {
-        Json data = {{"right_share", right_share}, {"degraded_share", degraded_share}};
+        Json data = {{"right_share", right_share},
+                     {"degraded_share", degraded_share},
+                     {"reference", {{"numeric", "long double"}, {"mantissa_bits", mantissa_bits}}}};
         data["cases"] = Json::array();
         for (const Json& result : results)
             for (const Json& one : result) data["cases"].push_back(one);

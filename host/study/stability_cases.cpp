@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "host/study/study_scene.hpp"
 
 namespace pxm::host {
 
@@ -103,12 +106,15 @@ std::string many(int maps, double unit) {
     return simple(text, unit, {1, 1.5, -3.5, 0, 0, 0, "fov: 45"});
 }
 
-/// A chain of maps, each followed by the next alone, that ends in a gasket.
+/// A chain of maps, each followed by the next alone, that ends in a gasket: so small that the eye
+/// is near, and no smaller however long the chain.
 std::string chained(int length, double unit) {
+    const double ratio = std::max(0.9, std::pow(1e-3, 1.0 / length));
+    const std::string link = fmt::format("scale: {} rotate: y,10", ratio);
     std::string maps;
     std::string rules;
     for (int i = 1; i <= length; ++i) {
-        maps += map_text("scale: 0.9 rotate: y,10", 0, 0.05, 0, unit);
+        maps += map_text(link, 0, 0.5 * (1 - ratio), 0, unit);
         rules += fmt::format("    follow: {} -> {}\n", i,
                              i < length ? fmt::format("{}", i + 1)
                                         : fmt::format("{},{},{},{}", length + 1, length + 2,
@@ -118,7 +124,7 @@ std::string chained(int length, double unit) {
     for (int k = 1; k <= 4; ++k)
         rules += fmt::format("    follow: {} -> {},{},{},{}\n", length + k, length + 1, length + 2,
                              length + 3, length + 4);
-    const double small = std::pow(0.9, length);
+    const double small = std::pow(ratio, length);
     const double height = 0.5 * (1 - small);  // of what the chain leads to
     return simple(maps + rules + "    start: 1\n", unit,
                   {1.2 * small, height + 1.5 * small, -3 * small, 0, height, 0, "fov: 60"});
@@ -132,21 +138,27 @@ std::string expanding(double norm, double unit) {
                   unit, {2, 3, -7, 0, 0, 0, "fov: 50"});
 }
 
+/// Map 1 leads to map 2, which leads to map 3, which nothing may follow.
 constexpr const char* dead_end =
     "ifs case { newmap scale: 0.5 newmap scale: 0.5 translate: 1,0,0 newmap scale: 0.5 "
-    "translate: 0,1,0 follow: 1 -> 2 follow: 2 -> 3 follow: 3 -> 4 }\n";
+    "translate: 0,1,0 follow: 1 -> 2 follow: 2 -> 3 follow: 3 -> }\n";
+/// A rule that leads to a map that is not there.
+constexpr const char* no_such_map =
+    "ifs case { newmap scale: 0.5 newmap scale: 0.5 translate: 1,0,0 follow: 2 -> 3 }\n";
 
 class Table {
   public:
     template <class Make>
     void add(const char* family, std::initializer_list<double> values, Make make) {
         for (const double value : values) {
-            cases.push_back({fmt::format("{} {:g}", family, value), family, value, volume,
-                             [=](double unit) { return make(value, unit); }});
+            cases.push_back({fmt::format("{} {:g}", family, value), family, value, volume, size,
+                             cell_cap, "", [=](double unit) { return make(value, unit); }});
         }
     }
     std::vector<StabilityCase> cases;
     VolumeKind volume = VolumeKind::sphere;  // of the cases that are added next
+    std::optional<PixelSize> size;
+    std::optional<std::uint32_t> cell_cap;
 };
 
 }  // namespace
@@ -155,6 +167,11 @@ std::vector<StabilityCase> stability_cases() {
     Table t;
     t.add("zoom", {1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e8, 1e10, 1e12}, zoomed);
     t.add("contraction", {0.9, 0.96, 0.98, 0.99}, spiral);
+    t.size = {16, 12};
+    t.cell_cap = 50'000;
+    t.add("contraction", {0.999, 0.9999}, spiral);
+    t.size.reset();
+    t.cell_cap.reset();
     t.add("squash", {0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}, squashed);
     t.add("shear", {0.1, 0.5, 2}, sheared);
     t.add("reflection", {1},
@@ -182,13 +199,25 @@ std::vector<StabilityCase> stability_cases() {
     t.add("norm above 1", {1.5, 1.9}, expanding);
     t.add("maps", {1, 100, 10'000},
           [](double n, double u) { return many(static_cast<int>(n), u); });
-    t.add("chain", {10, 60}, [](double n, double u) { return chained(static_cast<int>(n), u); });
+    t.add("chain", {10, 60, 120, 1000},
+          [](double n, double u) { return chained(static_cast<int>(n), u); });
     t.add("dead end", {1}, [](double, double) { return std::string(dead_end); });
+    t.add("no such map", {1}, [](double, double) { return std::string(no_such_map); });
     t.add("heap", {1, 4, 16, 256}, [](double heap, double u) {
         return simple(corners("scale: 0.5", u), u, {},
                       fmt::format("render {{ heap: {} }}\n", static_cast<int>(heap)));
     });
     return t.cases;
+}
+
+StabilityCase case_of(const std::string& scene, const std::optional<PixelSize>& size) {
+    StabilityCase one;
+    one.name = stem_of(scene);
+    one.family = "scene";
+    one.volume.reset();
+    one.size = size.value_or(PixelSize{64, 48});
+    one.path = scene;
+    return one;
 }
 
 }  // namespace pxm::host

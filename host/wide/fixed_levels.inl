@@ -12,6 +12,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "host/wide/hull_shadow.inl"
 #include "host/wide/shared_levels.inl"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,7 +20,7 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The centres of a table in the tile's frame, in units of the cell's radius, made once a tile.
+/// The centres of a table in the bundle's frame, in units of the cell's radius, made once a bundle.
 /// Returns where in the workspace they are.
 inline std::size_t turn_table(const WideScene& scene, Workspace& work, int object, int set_index,
                               bool two) {
@@ -27,7 +28,7 @@ inline std::size_t turn_table(const WideScene& scene, Workspace& work, int objec
     using V = hn::VFromD<decltype(d)>;
     const auto at = 2 * static_cast<std::size_t>(set_index) + (two ? 1 : 0);
     const std::uint64_t stamp =
-        work.tile_number * scene.objects.size() + static_cast<std::uint64_t>(object) + 1;
+        work.bundle_number * scene.objects.size() + static_cast<std::uint64_t>(object) + 1;
     if (work.turned_for[at] == stamp) return at;
     const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
     const HomothetyTable& table = two ? set.grandchildren : set.children;
@@ -38,7 +39,7 @@ inline std::size_t turn_table(const WideScene& scene, Workspace& work, int objec
     work.turned_for[at] = stamp;
     const Affine& to_unit = scene.objects[static_cast<std::size_t>(object)].to_unit;
     for (int axis = 0; axis < 3; ++axis) {
-        const glm::dvec3 unit = glm::normalize(to_unit.direction(work.tile.axis[axis]));
+        const glm::dvec3 unit = glm::normalize(to_unit.direction(work.bundle.axis[axis]));
         double* twice = work.turned_twice[at].row(axis);
         float* single = work.turned[at].row(axis);
         for (int i = 0; i < table.stride; i += static_cast<int>(hn::Lanes(d))) {
@@ -58,18 +59,38 @@ struct FixedRows {
     static constexpr int far = 5;
 };
 
+/// Detail times the size of a pixel in scene units, at most: max(pixel0 + pixel1 z, least).
+struct ShadowRoom {
+    double pixel0, pixel1, least;
+
+    ShadowRoom(const WideScene& scene, const RayBundle& bundle, const WideObject& object)
+        : pixel0(scene.detail * bundle.most_at_origin),
+          pixel1(scene.detail * bundle.most_growth),
+          least(scene.detail * object.smallest_pixel) {}
+};
+
 /// A ball misses the beam if its centre is farther beside the beam's square than its radius.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneInterval<V> ball_in_beam(D d, const TileView& tile, const Lanes3<V>& c, V r) {
+HWY_INLINE LaneInterval<V> ball_in_beam(D d, const RayBundle& bundle, const HullShadow& shadow,
+                                        const ShadowRoom& room, const Lanes3<V>& c, V r) {
     const V zero = hn::Zero(d);
     r = hn::Mul(r, hn::Set(d, 1 + unit_margin));
     const V far = hn::Add(c.z, r);
-    const V reach_u = hn::Add(hn::Set(d, tile.reach_u0), hn::Mul(hn::Set(d, tile.reach_u1), far));
-    const V reach_v = hn::Add(hn::Set(d, tile.reach_v0), hn::Mul(hn::Set(d, tile.reach_v1), far));
+    const V reach_u =
+        hn::Add(hn::Set(d, bundle.reach_u0), hn::Mul(hn::Set(d, bundle.reach_u1), far));
+    const V reach_v =
+        hn::Add(hn::Set(d, bundle.reach_v0), hn::Mul(hn::Set(d, bundle.reach_v1), far));
     const V x = hn::Max(hn::Sub(hn::Abs(c.x), reach_u), zero);
     const V y = hn::Max(hn::Sub(hn::Abs(c.y), reach_v), zero);
     const V half2 = hn::Sub(hn::Mul(r, r), hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
-    const auto met = hn::And(hn::Le(zero, half2), hn::Le(zero, far));
+    auto met = hn::And(hn::Le(zero, half2), hn::Le(zero, far));
+    if (shadow.edges > 0) {
+        const V p = hn::Max(hn::Add(hn::Set(d, room.pixel0), hn::Mul(hn::Set(d, room.pixel1), far)),
+                            hn::Set(d, room.least));
+        const V beside = hn::Mul(r, hn::Set(d, bundle.reach_u1 + bundle.reach_v1));
+        met = in_shadow(d, shadow, c.x, c.y, r,
+                        hn::Add(hn::Add(p, beside), hn::Add(reach_u, reach_v)), met);
+    }
     const V half = hn::Sqrt(hn::Max(half2, zero));
     return {hn::Max(hn::Sub(c.z, half), zero),
             hn::IfThenElse(met, hn::Add(c.z, half), hn::Set(d, -beyond))};
@@ -106,7 +127,7 @@ inline void push_fixed_cell(Workspace& work, const FixedCell& cell) {
     std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
 }
 
-/// Puts the children of a fixed cell into the queue that a ray of the tile may meet.
+/// Puts the children of a fixed cell into the queue that a ray of the bundle may meet.
 inline void open_fixed_cell(const WideScene& scene, Workspace& work, int index) {
     const hn::ScalableTag<double> d;
     using V = hn::VFromD<decltype(d)>;
@@ -119,6 +140,8 @@ inline void open_fixed_cell(const WideScene& scene, Workspace& work, int index) 
             ? work.turned_twice[turn_table(scene, work, parent.object, parent.set, false)]
             : table.twice;
     const BoxBeam& beam = work.box_beams[static_cast<std::size_t>(parent.object)];
+    const HullShadow& shadow = work.shadows[static_cast<std::size_t>(parent.object)];
+    const ShadowRoom room(scene, work.bundle, object);
     double* rows = work.scratch.get();
     const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * table.stride; };
     work.shared_tests += static_cast<std::uint64_t>(table.count);
@@ -127,8 +150,9 @@ inline void open_fixed_cell(const WideScene& scene, Workspace& work, int index) 
         const Lanes3<V> c = add_scaled(broadcast(d, parent.center.data()), size,
                                        load3(d, centers.row(0) + i, table.stride));
         const V half = hn::Mul(size, hn::LoadU(d, table.twice.row(HomothetyTable::scale) + i));
-        const LaneInterval<V> inside =
-            object.spheres ? ball_in_beam(d, work.tile, c, half) : box_in_beam(d, beam, c, half);
+        const LaneInterval<V> inside = object.spheres
+                                           ? ball_in_beam(d, work.bundle, shadow, room, c, half)
+                                           : box_in_beam(d, beam, c, half);
         store3(c, d, row(FixedRows::center) + i, table.stride);
         hn::StoreU(half, d, row(FixedRows::size) + i);
         hn::StoreU(hn::Max(inside.key, hn::Set(d, parent.near)), d, row(FixedRows::near) + i);
@@ -153,17 +177,18 @@ inline void open_fixed_cell(const WideScene& scene, Workspace& work, int index) 
     }
 }
 
-inline void set_box_beam(const WideObject& object, const TileView& tile, BoxBeam& beam) {
-    const glm::dvec3 u = object.to_unit.direction(tile.axis[0]);
-    const glm::dvec3 v = object.to_unit.direction(tile.axis[1]);
-    const glm::dvec3 w = object.to_unit.direction(tile.axis[2]);
+inline void set_box_beam(const WideObject& object, const RayBundle& bundle, BoxBeam& beam) {
+    const glm::dvec3 u = object.to_unit.direction(bundle.axis[0]);
+    const glm::dvec3 v = object.to_unit.direction(bundle.axis[1]);
+    const glm::dvec3 w = object.to_unit.direction(bundle.axis[2]);
     constexpr double least_pace = 1e-200;
     const auto inverse = [](double x) { return 1 / (std::abs(x) < least_pace ? least_pace : x); };
+    const glm::dvec3 eye = object.to_unit.point(bundle.origin);
     for (int k = 0; k < 3; ++k) {
         const auto at = static_cast<std::size_t>(k);
-        const double spread1 = std::abs(u[k]) * tile.reach_u1 + std::abs(v[k]) * tile.reach_v1;
-        beam.eye[at] = object.to_unit.translation[k];
-        beam.spread0[at] = std::abs(u[k]) * tile.reach_u0 + std::abs(v[k]) * tile.reach_v0;
+        const double spread1 = std::abs(u[k]) * bundle.reach_u1 + std::abs(v[k]) * bundle.reach_v1;
+        beam.eye[at] = eye[k];
+        beam.spread0[at] = std::abs(u[k]) * bundle.reach_u0 + std::abs(v[k]) * bundle.reach_v0;
         beam.high_pace[at] = inverse(w[k] - spread1);
         beam.low_pace[at] = inverse(-w[k] - spread1);
     }
@@ -174,7 +199,7 @@ inline void push_fixed_object(const WideScene& scene, Workspace& work, int index
     const hn::CappedTag<double, 1> d;
     using V = hn::VFromD<decltype(d)>;
     const WideObject& object = scene.objects[static_cast<std::size_t>(index)];
-    const TileView& tile = work.tile;
+    const RayBundle& bundle = work.bundle;
     FixedCell cell{{0, 0, 0},
                    1,
                    0,
@@ -189,36 +214,39 @@ inline void push_fixed_object(const WideScene& scene, Workspace& work, int index
                    -1};
     if (object.spheres) {
         for (std::size_t k = 0; k < 3; ++k) {
-            cell.center[k] = glm::dot(object.center, tile.axis[k]);
+            cell.center[k] = glm::dot(object.center - bundle.origin, bundle.axis[k]);
         }
         cell.size = object.radius;
     } else {
-        set_box_beam(object, tile, work.box_beams[static_cast<std::size_t>(index)]);
+        set_box_beam(object, bundle, work.box_beams[static_cast<std::size_t>(index)]);
     }
     const Lanes3<V> c = broadcast(d, cell.center.data());
     const V size = hn::Set(d, cell.size);
+    const ShadowRoom room(scene, bundle, object);
     const LaneInterval<V> inside =
-        object.spheres ? ball_in_beam(d, tile, c, size)
+        object.spheres ? ball_in_beam(d, bundle, HullShadow{}, room, c, size)
                        : box_in_beam(d, work.box_beams[static_cast<std::size_t>(index)], c, size);
     ++work.shared_tests;
     cell.near = hn::GetLane(inside.key);
     cell.far = hn::GetLane(inside.exit);
-    if (cell.near <= cell.far) push_fixed_cell(work, cell);
+    if (!(cell.near <= cell.far)) return;
+    if (object.spheres) work.shadows[static_cast<std::size_t>(index)] = make_shadow(object, bundle);
+    push_fixed_cell(work, cell);
 }
 
-/// A fixed cell as other shared cells are: from the tile's frame to its unit coordinates.
-inline void rows_of(const WideObject& object, const TileView& tile, const FixedCell& cell,
+/// A fixed cell as other shared cells are: from the bundle's frame to its unit coordinates.
+inline void rows_of(const WideObject& object, const RayBundle& bundle, const FixedCell& cell,
                     std::array<double, 12>& rows, double& base) {
     const double shrink = (object.spheres ? object.radius : 1) / cell.size;
     glm::dvec3 axis[3];
-    for (int i = 0; i < 3; ++i) axis[i] = object.to_unit.direction(tile.axis[i]) * shrink;
+    for (int i = 0; i < 3; ++i) axis[i] = object.to_unit.direction(bundle.axis[i]) * shrink;
     glm::dvec3 o;
-    if (object.spheres) {  // the centre is at z along the tile's axis, and beside it
+    if (object.spheres) {  // the centre is at z along the bundle's axis, and beside it
         base = cell.center[2];
         o = -(axis[0] * cell.center[0] + axis[1] * cell.center[1]);
     } else {
         const glm::dvec3 center{cell.center[0], cell.center[1], cell.center[2]};
-        o = (object.to_unit.translation - center) / cell.size;
+        o = (object.to_unit.point(bundle.origin) - center) / cell.size;
         base = -glm::dot(o, axis[2]) / glm::dot(axis[2], axis[2]);
         o += base * axis[2];
     }

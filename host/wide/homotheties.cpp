@@ -138,6 +138,32 @@ void tabulate(WideScene& scene, int index) {
     set.grandchildren = std::move(both);
 }
 
+/// The fixed points of the maps, if the attractor is inside of their hull, and the hull a cull.
+std::vector<glm::dvec3> hull_points(const WideScene& scene, const WideObject& object) {
+    constexpr double outside = 1 + rounding;
+    const WideSet& set = scene.sets[static_cast<std::size_t>(object.set)];
+    const bool alone = std::ranges::all_of(set.sets, [&](int s) { return s == object.set; });
+    if (!object.spheres || !alone || object.levels != kernels::unlimited_levels) return {};
+    std::vector<glm::dvec3> points;
+    for (const Step& step : steps_of(scene, object.set)) {
+        points.push_back(step.center / (1 - step.scale));
+        if (glm::length(points.back()) > outside) return {};  // a ball that bounds nothing
+    }
+    if (points.size() > WideObject::most_hull_points) return {};
+    return points;
+}
+
+/// Gives the sets of an object of boxes their grids. False if a set has none.
+bool find_grids(WideScene& scene, int first, std::vector<bool>& seen) {
+    const auto at = static_cast<std::size_t>(first);
+    if (seen[at]) return true;
+    seen[at] = true;
+    WideSet& set = scene.sets[at];
+    if (set.grid.empty()) set.grid = find_grid(set.children);
+    return !set.grid.empty() &&
+           std::ranges::all_of(set.sets, [&](int inner) { return find_grids(scene, inner, seen); });
+}
+
 }  // namespace
 
 bool has_fixed_direction(const CompiledScene& scene, const CompiledObject& object) {
@@ -172,6 +198,12 @@ void tabulate_homotheties(WideScene& scene) {
         tabulate(scene, index);
         const std::vector<int>& next = scene.sets[static_cast<std::size_t>(index)].sets;
         waiting.insert(waiting.end(), next.begin(), next.end());
+    }
+    for (WideObject& object : scene.objects) {
+        if (!object.fixed_direction) continue;
+        object.hull = hull_points(scene, object);
+        std::vector<bool> seen(scene.sets.size(), false);
+        object.grid = !object.spheres && find_grids(scene, object.set, seen);
     }
 }
 

@@ -11,9 +11,9 @@
 
 #include <algorithm>
 
+#include "host/wide/bundle_search.hpp"
 #include "host/wide/fixed_levels.inl"
 #include "host/wide/lanes.inl"
-#include "host/wide/tile_search.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
@@ -104,7 +104,7 @@ inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
     Path& path = new_path(scene, work, cell.object, cell.level, cell.path);
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
     std::array<double, 12> rows;
-    rows_of(object, work.tile, cell, rows, path.start_base);
+    rows_of(object, work.bundle, cell, rows, path.start_base);
     path.start_diameter = cell.diameter;
     int cells[Path::capacity];
     int at = start;
@@ -115,7 +115,7 @@ inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
     for (int level = 0; level < path.shared; ++level) {
         const FixedCell& inner = work.fixed_cells[static_cast<std::size_t>(cells[level])];
         double base = 0;
-        rows_of(object, work.tile, inner, rows, base);
+        rows_of(object, work.bundle, inner, rows, base);
         put_level(path, level, rows, base, inner.diameter);
         if (level == 0) continue;
         const FixedCell& parent = work.fixed_cells[static_cast<std::size_t>(inner.parent)];
@@ -222,30 +222,35 @@ inline int add_own_levels(const WideScene& scene, const Workspace& work, const F
 }
 
 /// What a ray finds at each level of a path: depths from the start cell's base, and the unit normal
-/// where it enters the volume (or leaves it), in the tile's frame.
+/// where it enters the volume (or leaves it), in the bundle's frame.
 struct PathHits {
-    alignas(64) float key[Path::capacity];
-    alignas(64) float exit[Path::capacity];
-    alignas(64) float normal[3][Path::capacity];
+    static constexpr int room = Path::capacity + table_step;  // whole registers are stored
+    alignas(64) float key[room];
+    alignas(64) float exit[room];
+    alignas(64) float normal[3][room];
 };
 
 enum class PathSide { entry, exit };
 
-template <class T>
-HWY_INLINE void put_hits(const T* from, float* to, int levels) {
-    for (int i = 0; i < levels; ++i) to[i] = static_cast<float>(from[i]);
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE void put_hits(D d, V v, float* to) {
+    if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
+        hn::StoreU(v, d, to);
+    } else {
+        const hn::Rebind<float, D> narrow;
+        hn::StoreU(hn::DemoteTo(narrow, v), narrow, to);
+    }
 }
 
 /// The levels [first, last) of a path; `rows` as in Path, of floats or doubles.
 template <class T>
-inline void hit_levels(const TileView& tile, const Path& path, const T* rows, int first, int last,
-                       int ray, bool spheres, PathSide side, PathHits& hits) {
+inline void hit_levels(const RayBundle& bundle, const Path& path, const T* rows, int first,
+                       int last, int ray, bool spheres, PathSide side, PathHits& hits) {
     const hn::ScalableTag<T> d;
     using V = hn::VFromD<decltype(d)>;
     constexpr int stride = Path::capacity;
-    const V u0 = hn::Set(d, tile.u0[ray]), u1 = hn::Set(d, tile.u1[ray]);
-    const V v0 = hn::Set(d, tile.v0[ray]), v1 = hn::Set(d, tile.v1[ray]);
-    alignas(64) T key[table_step], exit[table_step], normals[3 * table_step];
+    const V u0 = hn::Set(d, bundle.u0[ray]), u1 = hn::Set(d, bundle.u1[ray]);
+    const V v0 = hn::Set(d, bundle.v0[ray]), v1 = hn::Set(d, bundle.v1[ray]);
     const int lanes = static_cast<int>(hn::Lanes(d));
     for (int i = first; i < last; i += lanes) {
         const Lanes3<V> u = load3(d, rows + i, stride);
@@ -270,26 +275,22 @@ inline void hit_levels(const TileView& tile, const Path& path, const T* rows, in
         const V scale = hn::Div(hn::Set(d, T(1)), hn::Max(length, hn::Set(d, T(1e-30))));
         const Lanes3<V> unit{hn::Mul(seen.x, scale), hn::Mul(seen.y, scale),
                              hn::Mul(seen.z, scale)};
-        hn::StoreU(hn::Add(from_start, inside.key), d, key);
-        hn::StoreU(hn::Add(from_start, inside.exit), d, exit);
-        store3(unit, d, normals, table_step);
-        const int count = std::min(lanes, last - i);
-        put_hits(key, hits.key + i, count);
-        put_hits(exit, hits.exit + i, count);
-        for (int axis = 0; axis < 3; ++axis) {
-            put_hits(normals + axis * table_step, hits.normal[axis] + i, count);
-        }
+        put_hits(d, hn::Add(from_start, inside.key), hits.key + i);
+        put_hits(d, hn::Add(from_start, inside.exit), hits.exit + i);
+        put_hits(d, unit.x, hits.normal[0] + i);
+        put_hits(d, unit.y, hits.normal[1] + i);
+        put_hits(d, unit.z, hits.normal[2] + i);
     }
 }
 
-inline void hit_path(const TileView& tile, const Path& path, int levels, int ray, bool spheres,
+inline void hit_path(const RayBundle& bundle, const Path& path, int levels, int ray, bool spheres,
                      PathSide side, PathHits& hits) {
     int first = 0;
     if (path.deep) {
-        hit_levels(tile, path, path.twice[0], 0, path.shared, ray, spheres, side, hits);
+        hit_levels(bundle, path, path.twice[0], 0, path.shared, ray, spheres, side, hits);
         first = path.shared;
     }
-    hit_levels(tile, path, path.rows[0], first, levels, ray, spheres, side, hits);
+    hit_levels(bundle, path, path.rows[0], first, levels, ray, spheres, side, hits);
 }
 
 }  // namespace pxm::host::wide::HWY_NAMESPACE

@@ -1,6 +1,6 @@
-// The levels of the hierarchy that the rays of a tile share. The tile goes down as a whole, the
+// The levels of the hierarchy that the rays of a bundle share. The bundle goes down as a whole, the
 // nearest cell first, until a cell is no larger than a few pixels. All in double: this is where
-// magnification costs digits. A cell is skipped only if no ray of the tile can meet it.
+// magnification costs digits. A cell is skipped only if no ray of the bundle can meet it.
 #if defined(PXM_HOST_WIDE_SHARED_LEVELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SHARED_LEVELS_INL
 #undef PXM_HOST_WIDE_SHARED_LEVELS_INL
@@ -10,8 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include "host/wide/bundle_search.hpp"
 #include "host/wide/lanes.inl"
-#include "host/wide/tile_search.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
@@ -40,16 +40,16 @@ struct Beam {
     V base;
 };
 
-/// The depths at which any ray of the tile may be in the unit volume, within [near, far].
+/// The depths at which any ray of the bundle may be in the unit volume, within [near, far].
 /// Half a cube's width grows by how far the rays are spread along each axis, which is linear in z:
 /// c (z - base) <= q twice for each axis. A ball is cut out of its cube.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneInterval<V> beam_in_volume(D d, const TileView& tile, const Beam<V>& beam,
+HWY_INLINE LaneInterval<V> beam_in_volume(D d, const RayBundle& bundle, const Beam<V>& beam,
                                           bool spheres, LaneInterval<V> inside) {
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0 + unit_margin);
-    const V u0 = hn::Set(d, tile.reach_u0), u1 = hn::Set(d, tile.reach_u1);
-    const V v0 = hn::Set(d, tile.reach_v0), v1 = hn::Set(d, tile.reach_v1);
+    const V u0 = hn::Set(d, bundle.reach_u0), u1 = hn::Set(d, bundle.reach_u1);
+    const V v0 = hn::Set(d, bundle.reach_v0), v1 = hn::Set(d, bundle.reach_v1);
     const auto clip = [&](V c, V q) HWY_ATTR {
         const V bound = hn::Add(hn::Div(q, c), beam.base);
         const auto ahead = hn::Lt(zero, c);
@@ -92,14 +92,14 @@ HWY_INLINE void rebase(D d, Beam<V>& beam) {
     beam.base = hn::Add(beam.base, step);
 }
 
-/// p(z) at least, of all rays of the tile: they are longer than the axis.
-HWY_INLINE double pixel_at(const WideScene& scene, int object, double z) {
-    const double p = scene.camera.pixel_at_eye + scene.camera.pixel_growth * z;
+/// p(z) at least, of all rays of the bundle.
+HWY_INLINE double pixel_at(const WideScene& scene, const RayBundle& bundle, int object, double z) {
+    const double p = bundle.pixel_at_origin + bundle.pixel_growth * z;
     return scene.detail *
            std::max(p, scene.objects[static_cast<std::size_t>(object)].smallest_pixel);
 }
 
-/// Puts the children of a shared cell into the queue that a ray of the tile may meet.
+/// Puts the children of a shared cell into the queue that a ray of the bundle may meet.
 inline void open_shared_cell(const WideScene& scene, Workspace& work, int index) {
     const hn::ScalableTag<double> d;
     using V = hn::VFromD<decltype(d)>;
@@ -121,7 +121,7 @@ inline void open_shared_cell(const WideScene& scene, Workspace& work, int index)
         beam.base = hn::Set(d, parent.base);
         rebase(d, beam);
         const LaneInterval<V> inside =
-            beam_in_volume(d, work.tile, beam, set.spheres,
+            beam_in_volume(d, work.bundle, beam, set.spheres,
                            LaneInterval<V>{hn::Set(d, parent.near), hn::Set(d, parent.far)});
         store3(beam.u, d, row(0) + i, stride);
         store3(beam.v, d, row(3) + i, stride);
@@ -178,7 +178,7 @@ inline void open_shared_cell(const WideScene& scene, Workspace& work, int index)
     }
 }
 
-/// Step 1.1: the outermost cell of an object, if a ray of the tile may meet it.
+/// Step 1.1: the outermost cell of an object, if a ray of the bundle may meet it.
 inline void push_object(const WideScene& scene, Workspace& work, int index) {
     const hn::CappedTag<double, 1> d;
     using V = hn::VFromD<decltype(d)>;
@@ -187,12 +187,13 @@ inline void push_object(const WideScene& scene, Workspace& work, int index) {
     const auto put = [&](std::size_t i, const glm::dvec3& v) {
         for (int k = 0; k < 3; ++k) cell.rows[3 * i + static_cast<std::size_t>(k)] = v[k];
     };
-    for (std::size_t i = 0; i < 3; ++i) put(i, object.to_unit.direction(work.tile.axis[i]));
+    for (std::size_t i = 0; i < 3; ++i) put(i, object.to_unit.direction(work.bundle.axis[i]));
     const auto from = [&](std::size_t i) { return broadcast(d, cell.rows.data() + 3 * i); };
     Beam<V> beam{from(0), from(1), from(2), {}, hn::Zero(d)};
-    beam.o = broadcast(d, &object.to_unit.translation.x);
+    const glm::dvec3 origin = object.to_unit.point(work.bundle.origin);
+    beam.o = broadcast(d, &origin.x);
     rebase(d, beam);
-    const LaneInterval<V> inside = beam_in_volume(d, work.tile, beam, object.spheres,
+    const LaneInterval<V> inside = beam_in_volume(d, work.bundle, beam, object.spheres,
                                                   LaneInterval<V>{hn::Zero(d), hn::Set(d, beyond)});
     ++work.shared_tests;
     cell.near = hn::GetLane(inside.key);

@@ -1,7 +1,7 @@
 // One ray below a start cell: the children of a cell in lanes (steps 2.4.1 to 2.4.4 of Alg. 12.4
 // for all maps at once). The composed maps of a cell's children are the same for all rays of the
-// tile: they are made when the first ray opens the cell and kept while the tile lasts. The ray goes
-// on with the nearest child, and what is left waits on a stack, sorted.
+// bundle: they are made when the first ray opens the cell and kept while the bundle lasts. The ray
+// goes on with the nearest child, and what is left waits on a stack, sorted.
 #if defined(PXM_HOST_WIDE_SINGLE_RAY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SINGLE_RAY_INL
 #undef PXM_HOST_WIDE_SINGLE_RAY_INL
@@ -11,8 +11,8 @@
 
 #include <hwy/highway.h>
 
+#include "host/wide/bundle_search.hpp"
 #include "host/wide/lanes.inl"
-#include "host/wide/tile_search.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
@@ -110,15 +110,9 @@ struct RayInStart {
     float pixel_base;  // detail * p = max(pixel_base + pixel_growth * depth, pixel_least)
     float pixel_growth;
     float pixel_least;
-    float pass_share;  // allowed_share, of p itself
-    float slack;       // of depth, that rounding may cause
-    float best;        // no cell beyond is of interest
-    float found;       // depth of the terminal cell found
-
-    /// How much nearer than a terminal cell another need not be looked for.
-    [[nodiscard]] float passed_over(float depth) const {
-        return pass_share * std::max(pixel_base + pixel_growth * depth, pixel_least);
-    }
+    float slack;  // of depth, that rounding may cause
+    float best;   // no cell beyond is of interest
+    float found;  // depth of the terminal cell found
 };
 
 /// The children of a block that the ray meets within [key, exit] and nearer than its best, in the
@@ -165,6 +159,9 @@ inline int meet_children(const Block& block, const WideSet& set, const RayInStar
     return count;
 }
 
+/// Nothing is nearer: a ray that is asked for any hit has one.
+inline constexpr float nowhere = -std::numeric_limits<float>::infinity();
+
 /// Room for the children of a cell, and for what a register writes beyond them.
 inline constexpr int most_children = most_maps;
 inline constexpr int register_room = 64;
@@ -208,7 +205,7 @@ inline bool follow_ray(const WideScene& scene, Workspace& work, RayInStart& ray,
         }
         if (nearest < ray.best) {
             ray.found = nearest;
-            ray.best = nearest - ray.passed_over(nearest);
+            ray.best = work.bundle.any_hit ? nowhere : nearest;
             improved = true;
         }
         if (found.tested >= scene.cell_cap) found.given_up = true;

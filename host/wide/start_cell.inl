@@ -1,4 +1,4 @@
-// A start cell and the rays of the tile, rays in lanes, in float: which rays meet it, and where.
+// A start cell and the rays of the bundle, rays in lanes, in float: which rays meet it, and where.
 #if defined(PXM_HOST_WIDE_START_CELL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_START_CELL_INL
 #undef PXM_HOST_WIDE_START_CELL_INL
@@ -24,7 +24,7 @@ inline std::uint64_t meet_start_cell(const Workspace& work, const SharedCell& ce
                                      StartRays& rays) {
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
-    const TileView& tile = work.tile;
+    const RayBundle& bundle = work.bundle;
     const auto row = [&](std::size_t i) HWY_ATTR {
         return Lanes3<V>{hn::Set(d, static_cast<float>(cell.rows[3 * i])),
                          hn::Set(d, static_cast<float>(cell.rows[3 * i + 1])),
@@ -32,18 +32,17 @@ inline std::uint64_t meet_start_cell(const Workspace& work, const SharedCell& ce
     };
     const Lanes3<V> u_axis = row(0), v_axis = row(1), w_axis = row(2), middle = row(3);
     const V base = hn::Set(d, static_cast<float>(cell.base));
-    const V behind_eye = hn::Neg(base);
     std::uint64_t met = 0;
-    for (int i = 0; i < tile_rays; i += static_cast<int>(hn::Lanes(d))) {
-        const V u1 = hn::LoadU(d, tile.u1 + i), v1 = hn::LoadU(d, tile.v1 + i);
-        const V u = hn::Add(hn::LoadU(d, tile.u0 + i), hn::Mul(u1, base));
-        const V v = hn::Add(hn::LoadU(d, tile.v0 + i), hn::Mul(v1, base));
+    for (int i = 0; i < bundle_rays; i += static_cast<int>(hn::Lanes(d))) {
+        const V u1 = hn::LoadU(d, bundle.u1 + i), v1 = hn::LoadU(d, bundle.v1 + i);
+        const V u = hn::Add(hn::LoadU(d, bundle.u0 + i), hn::Mul(u1, base));
+        const V v = hn::Add(hn::LoadU(d, bundle.v0 + i), hn::Mul(v1, base));
         const Lanes3<V> o = add_scaled(add_scaled(middle, u, u_axis), v, v_axis);
         const Lanes3<V> s = add_scaled(add_scaled(w_axis, u1, u_axis), v1, v_axis);
         const LaneInterval<V> inside = cell.spheres ? in_unit_ball(d, o, s) : in_unit_cube(d, o, s);
-        const V key = hn::Max(inside.key, behind_eye);  // a ray starts at the eye
-        store3(o, d, rays.origin[0] + i, tile_rays);
-        store3(s, d, rays.direction[0] + i, tile_rays);
+        const V key = hn::Max(inside.key, hn::Sub(hn::LoadU(d, bundle.start + i), base));
+        store3(o, d, rays.origin[0] + i, bundle_rays);
+        store3(s, d, rays.direction[0] + i, bundle_rays);
         hn::StoreU(key, d, rays.key + i);
         hn::StoreU(inside.exit, d, rays.exit + i);
         const auto here = hn::And(hn::Le(inside.key, inside.exit), hn::Le(key, inside.exit));
@@ -53,21 +52,21 @@ inline std::uint64_t meet_start_cell(const Workspace& work, const SharedCell& ce
         for (int k = 0; k < 8; ++k) word |= std::uint64_t{bits[k]} << (8 * k);
         met |= word << i;
     }
-    return met & tile.inside;
+    return met & bundle.inside;
 }
 
-/// A ray has found a cell below a start cell, at that depth; `p` is the size of a pixel
-/// thereabouts.
-inline void note_found(Workspace& work, int ray, int start, double depth, double p) {
+/// A ray has found a cell below a start cell, at that depth.
+inline void note_found(Workspace& work, int ray, int start, double depth) {
     const auto at = static_cast<std::size_t>(ray);
     work.found[at].start = start;
     work.found[at].depth = depth;
-    work.best[at] = depth - static_cast<double>(allowed_share) * p;
+    work.best[at] = work.bundle.any_hit ? -beyond : depth;
     work.improved = true;
 }
 
-/// Gives a start cell to the rays of the tile that meet it.
+/// Gives a start cell to the rays of the bundle that meet it.
 inline void visit_start_cell(const WideScene& scene, Workspace& work, int index) {
+    work.bundle.spread();
     const SharedCell cell = work.cells[static_cast<std::size_t>(index)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
     StartRays& rays = work.start;
@@ -88,13 +87,13 @@ inline void visit_start_cell(const WideScene& scene, Workspace& work, int index)
         ++work.found[at].tested;
         const double key = cell.base + static_cast<double>(rays.key[i]);
         if (!(key < work.best[at])) continue;
-        const double stretch = static_cast<double>(work.tile.stretch[i]);
-        const double growth = scene.camera.pixel_growth * stretch;
-        const double p = scene.camera.pixel_at_eye + growth * key;
+        const auto pixel0 = static_cast<double>(work.bundle.pixel0[i]);
+        const auto growth = static_cast<double>(work.bundle.pixel1[i]);
+        const double p = pixel0 + growth * key;
         const bool last = cell.level == object.levels;
         if (last || cell.diameter <= scene.detail * std::max(p, object.smallest_pixel)) {
             work.found[at].block = -1;
-            note_found(work, i, index, key, std::max(p, object.smallest_pixel));
+            note_found(work, i, index, key);
             continue;
         }
         RayInStart ray;
@@ -103,18 +102,16 @@ inline void visit_start_cell(const WideScene& scene, Workspace& work, int index)
             ray.direction[k] = rays.direction[k][i];
         }
         const float* s = ray.direction;
-        ray.pixel_base =
-            static_cast<float>(scene.detail * (scene.camera.pixel_at_eye + growth * cell.base));
+        ray.pixel_base = static_cast<float>(scene.detail * (pixel0 + growth * cell.base));
         ray.pixel_growth = static_cast<float>(scene.detail * growth);
         ray.pixel_least = static_cast<float>(scene.detail * object.smallest_pixel);
-        ray.pass_share = allowed_share / static_cast<float>(scene.detail);
         ray.slack = 0x1p-20F / std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
         ray.best = static_cast<float>(work.best[at] - cell.base);
         if (root < 0) root = make_block(scene, work, opening, object.levels);
         Found& found = work.found[at];
         if (follow_ray(scene, work, ray, rays.key[i], rays.exit[i], root, object.levels, found)) {
             const double depth = cell.base + static_cast<double>(ray.found);
-            note_found(work, i, index, depth, std::max(p, object.smallest_pixel));
+            note_found(work, i, index, depth);
         }
     }
 }

@@ -6,11 +6,13 @@
 
 #include <hwy/aligned_allocator.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "host/render/compiled_scene.hpp"
+#include "host/wide/child_grid.hpp"
 
 namespace pxm::host::wide {
 
@@ -32,11 +34,11 @@ template <class T>
 class LaneTable {
   public:
     LaneTable() = default;
-    LaneTable(int rows, int stride)
-        : stride_(stride),
-          data_(hwy::AllocateAligned<T>(static_cast<std::size_t>(rows) *
-                                        static_cast<std::size_t>(stride))) {
-        for (int i = 0; i < rows * stride; ++i) data_[static_cast<std::size_t>(i)] = T(0);
+    LaneTable(int rows, int stride) : stride_(stride) {
+        const auto size = static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride);
+        if (size == 0) return;  // an object without maps
+        data_ = hwy::AllocateAligned<T>(size);
+        std::fill_n(data_.get(), size, T(0));
     }
     [[nodiscard]] T* row(int i) { return data_.get() + static_cast<std::ptrdiff_t>(i) * stride_; }
     [[nodiscard]] const T* row(int i) const {
@@ -80,10 +82,12 @@ struct WideSet {
     LaneTable<float> single;
     HomothetyTable children;       // empty unless the object is `fixed_direction`
     HomothetyTable grandchildren;  // empty unless they fit one table_step
+    ChildGrid grid;                // of `children`, if they are boxes in slices
 };
 
 /// An object: from scene units to the unit coordinates of its outermost volume.
 struct WideObject {
+    int index = 0;  // in the compiled scene
     Affine to_unit;
     double radius = 0;       // of the outermost volume, if it is a ball, in scene units
     glm::dvec3 center{0.0};  // its centre
@@ -98,13 +102,19 @@ struct WideObject {
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
     bool fixed_direction = false;
+    bool grid = false;  // and all its sets have their children in slices
+    /// Corners of the attractor's hull in unit coordinates, if it serves as a cull
+    /// (host/wide/hull_shadow.inl).
+    static constexpr std::size_t most_hull_points = 32;
+    std::vector<glm::dvec3> hull;
     std::array<float, 3> color{};
     float diffuse = 0;
+    float reflect = 0;
 };
 
 struct WideScene {
-    std::vector<WideSet> sets;  // of all shapes
-    std::vector<WideObject> objects;
+    std::vector<WideSet> sets;        // of all shapes
+    std::vector<WideObject> objects;  // those that the wide engine can do
     CompiledCamera camera;
     double detail = 1;
     std::uint32_t cell_cap = 0;
@@ -115,7 +125,8 @@ struct WideScene {
     std::vector<CompiledLight> lights;
 };
 
-/// Why this scene cannot be rendered by the wide engine; empty if it can.
+/// Why nothing of this scene can be rendered by the wide engine; empty if it can, or if at least
+/// one of its objects can: the others are left to the clear kernels then.
 [[nodiscard]] std::string why_not_wide(const CompiledScene& scene, Numeric numeric);
 
 /// How the first cells of one object are found in native renders in float.
@@ -125,6 +136,9 @@ struct ObjectMethod {
     std::string because;
 };
 [[nodiscard]] std::vector<ObjectMethod> object_methods(const CompiledScene& scene);
+
+/// The scene with those objects alone that the wide engine cannot do.
+[[nodiscard]] CompiledScene left_to_clear_kernels(const CompiledScene& scene);
 
 /// Precondition: why_not_wide() is empty.
 [[nodiscard]] WideScene make_wide_scene(const CompiledScene& scene);

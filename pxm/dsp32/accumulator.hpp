@@ -1,12 +1,13 @@
 // The DSP32's 40-bit accumulators a0-a3 and the multiplier and adder before them.
 // A mantissa of 24 + 8 guard bits, two's complement and normalised, and an 8-bit exponent. Rules:
-// docs/arithmetic.md, after [DSP3210 8.2]. The flags V and U are not modelled: no kernel reads
-// them.
+// docs/arithmetic.md, after [DSP3210 8.2]. Of the flags, which no kernel reads, V is kept for the
+// host.
 #pragma once
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include "pxm/dsp32/word.hpp"
 
@@ -34,9 +35,13 @@ struct Addend {
     int exponent;
 };
 
+/// The flag V, sticky: a sum was above the range. One a thread, which runs one node at a time.
+inline thread_local constinit bool overflowed = false;
+
 /// What is left of a sum that is zero or out of range: the largest number of its sign, or zero.
 [[nodiscard]] constexpr Accumulator flushed(std::int64_t sum, int exponent) noexcept {
     if (sum == 0 || exponent < smallest_exponent) return {};
+    if (!std::is_constant_evaluated()) overflowed = true;
     constexpr std::int64_t limit = std::int64_t{1} << (accumulator_fraction_bits + 1);
     return {sum < 0 ? -limit : limit - 1, largest_exponent};
 }

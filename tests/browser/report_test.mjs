@@ -56,6 +56,28 @@ async function checkWidth(page) {
   assert.ok(wide <= 0, `the page is ${wide} pixels too wide`);
 }
 
+/// Texts of a plot that lie on one another cannot be read.
+async function checkLabels(page) {
+  const overlaps = await page.$$eval('svg', plots => plots.flatMap(plot => {
+    const texts = [...plot.querySelectorAll('text')].map(t => [t.textContent, t.getBoundingClientRect()]);
+    const meet = (a, b) => a.left + 1 < b.right && b.left + 1 < a.right && a.top + 2 < b.bottom && b.top + 2 < a.bottom;
+    return texts.flatMap(([name, a], i) => texts.slice(i + 1).filter(([, b]) => meet(a, b))
+      .map(([other]) => `${plot.getAttribute('aria-label')}: "${name}" on "${other}"`));
+  }));
+  assert.deepEqual(overlaps, [], 'no text of a plot lies on another');
+}
+
+/// A phone shows the page at its own width; what is wider scrolls by itself.
+async function checkPhone(page) {
+  const before = page.viewportSize();
+  await page.setViewportSize({ width: 390, height: 844 });
+  await checkWidth(page);
+  const small = await page.$$eval('figure.wide svg', plots =>
+    plots.filter(p => p.getBoundingClientRect().width < 590).length);
+  assert.equal(small, 0, 'plots keep a size that can be read');
+  await page.setViewportSize(before);
+}
+
 async function checkPrint(page) {
   const pdf = await page.pdf({ format: 'A4' });
   assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
@@ -66,7 +88,7 @@ async function checkPrint(page) {
 let passed = 0;
 for (const file of process.argv.slice(2)) {
   const { browser, page, complaints } = await open(file);
-  for (const check of [checkPlots, checkHovering, checkPictures, checkWidth, checkPrint]) {
+  for (const check of [checkPlots, checkHovering, checkPictures, checkWidth, checkLabels, checkPhone, checkPrint]) {
     await check(page);
     ++passed;
   }

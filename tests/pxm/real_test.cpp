@@ -58,6 +58,12 @@ TEST(Real, a_double_is_encoded_with_the_sign_first) {
     EXPECT_EQ(encode(dsp32::Float{-1}), (EncodedReal<dsp32::Float>{0x8000007FU}));
 }
 
+TEST(Real, a_long_double_keeps_what_a_double_has_no_bits_for) {
+    const long double fine = 1.0L + std::numeric_limits<long double>::epsilon();
+    EXPECT_EQ(decode<long double>(encode(fine)), fine);
+    EXPECT_LE(std::numeric_limits<long double>::epsilon(), std::numeric_limits<double>::epsilon());
+}
+
 TEST(Real, the_machine_chops_where_ieee_rounds) {
     EXPECT_EQ(to_double(from_double<float>(0.1)), static_cast<double>(0.1F));
     EXPECT_LT(to_double(from_double<dsp32::Float>(0.1)), 0.1);

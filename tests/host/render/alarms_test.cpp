@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "host/study/stability_cases.hpp"
 #include "tests/support/render_text.hpp"
 
 namespace pxm::host {
@@ -20,11 +21,13 @@ std::uint64_t count_of(const RenderResult& result, const std::string& name) {
     return found->count;
 }
 
-RenderResult tetra_at(double zoom, Numeric numeric) {
+RenderResult tetra_at(double zoom, Numeric numeric,
+                      IntersectMethod intersect = IntersectMethod::heap) {
     RenderRequest request;
     request.overrides.size = PixelSize{16, 12};
     request.overrides.numeric = numeric;
     request.overrides.zoom = zoom;
+    request.overrides.intersect = intersect;
     return test::render_text(std::string(test::tetra_text) + "camera { eye: 0,1,-3 look: 0,1,0 }",
                              request);
 }
@@ -45,9 +48,31 @@ TEST(Alarms, a_view_beyond_the_numbers_raises_precision_and_double_has_more_of_i
                 HasSubstr("warning: 192 pixels are less than 32 units of the last place of float"));
 }
 
+TEST(Alarms, the_wide_engine_is_judged_by_the_double_that_it_places_cells_in) {
+    const RenderResult wide = tetra_at(1e6, Numeric::single, IntersectMethod::wide);
+    EXPECT_EQ(count_of(wide, "precision"), 0U);
+    EXPECT_EQ(wide.warnings, "");
+}
+
 TEST(Alarms, pixels_finer_than_the_floor_are_told) {
     EXPECT_GT(count_of(tetra_at(1e7, Numeric::dsp32), "floored"), 0U);
     EXPECT_EQ(count_of(tetra_at(1e7, Numeric::twice), "floored"), 0U);
+}
+
+TEST(Alarms, results_beyond_the_range_are_told_and_double_has_more_of_it) {
+    const std::vector<StabilityCase> cases = stability_cases();
+    const auto squash = std::ranges::find(cases, "squash 0.0001", &StabilityCase::name);
+    ASSERT_NE(squash, cases.end());
+    const std::string squashed = squash->text(1);
+    RenderRequest request;
+    request.overrides.volume = VolumeKind::sphere;
+    request.overrides.intersect = IntersectMethod::heap;
+    for (const Numeric numeric : {Numeric::dsp32, Numeric::single}) {
+        request.overrides.numeric = numeric;
+        EXPECT_GT(count_of(test::render_text(squashed, request), "overflow"), 0U);
+    }
+    request.overrides.numeric = Numeric::twice;
+    EXPECT_EQ(count_of(test::render_text(squashed, request), "overflow"), 0U);
 }
 
 TEST(Alarms, steep_maps_are_told_in_single_precision) {

@@ -14,6 +14,9 @@ class ErrorStudy : public testing::Test {
   protected:
     ErrorStudy() {
         folder.write("tetra.pxm", tetra_scene);
+        folder.write("shear.pxm",
+                     "ifs s { newmap matrix: 0.5,0.2,0, 0,0.5,0, 0,0,0.5, 0,0,0\n"
+                     "newmap scale: 0.5 translate: 1,0,0 }");
         expect_done(folder, {"study", "error", "tetra.pxm", "-o", "out", "--size", "48x40",
                              "--repeats", "1", "--target", "1", "--budget", "1e-9", "--quiet"});
         data = Json::parse(folder.read("out/data.json"));
@@ -45,6 +48,13 @@ TEST_F(ErrorStudy, a_small_heap_costs_time_and_no_error) {
     EXPECT_GT(points.at("--heap 1")["machine_seconds"], points.at("default")["machine_seconds"]);
 }
 
+TEST_F(ErrorStudy, the_wide_engine_is_no_program_of_the_machine) {
+    const Json& wide = points.at("--numeric float --intersect wide");
+    EXPECT_TRUE(wide["machine_seconds"].is_null());
+    EXPECT_FALSE(wide["pareto"].get<bool>());
+    EXPECT_NEAR(wide["rmse"], points.at("--numeric float")["rmse"], 0.01);
+}
+
 TEST_F(ErrorStudy, no_point_of_the_front_is_beaten) {
     int front = 0;
     for (const auto& [name, point] : points) {
@@ -58,6 +68,17 @@ TEST_F(ErrorStudy, no_point_of_the_front_is_beaten) {
         }
     }
     EXPECT_GE(front, 2);
+}
+
+TEST_F(ErrorStudy, a_setting_that_the_scene_does_not_allow_is_no_point_and_says_why) {
+    EXPECT_TRUE(scene["refused"].empty()) << "homotheties in spheres";
+    expect_done(folder, {"study", "error", "shear.pxm", "-o", "sheared", "--size", "8x8",
+                         "--repeats", "1", "--quiet"});
+    const Json sheared = Json::parse(folder.read("sheared/data.json"))["scenes"][0];
+    ASSERT_EQ(sheared["refused"].size(), 1U);
+    EXPECT_EQ(sheared["refused"][0]["settings"]["name"], "--volume sphere --intersect fast");
+    EXPECT_NE(sheared["refused"][0]["refused"].get<std::string>().find("fast"), std::string::npos);
+    EXPECT_EQ(sheared["points"].size() + 1, scene["points"].size());
 }
 
 TEST_F(ErrorStudy, budget_and_target_choose) {

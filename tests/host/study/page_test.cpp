@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/study/plot.hpp"
+#include "host/study/plot_labels.hpp"
 #include "tests/support/folder.hpp"
 
 namespace pxm::host {
@@ -61,6 +62,45 @@ TEST(Plot, what_an_axis_cannot_show_is_left_out) {
     EXPECT_THAT(svg, Not(HasSubstr("data-tip=\"zero\"")));
     EXPECT_THAT(svg, Not(HasSubstr("data-tip=\"none\"")));
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+TEST(Plot, a_label_stands_beside_its_mark_and_on_no_other) {
+    LabelPlacer placer({0, 0, 300, 100});
+    placer.mark(50, 50);
+    placer.mark(100, 50);
+    const auto first = placer.place(50, 50, "seven l");
+    const auto second = placer.place(50, 50, "seven l");
+    ASSERT_TRUE(first && second);
+    EXPECT_FALSE(first->x == second->x && first->y == second->y);
+    EXPECT_GT(first->x, 50);
+    EXPECT_NEAR(first->y, 50, 5);
+    const auto at_the_edge = placer.place(295, 50, "seven l");
+    ASSERT_TRUE(at_the_edge);
+    EXPECT_STREQ(at_the_edge->anchor, "end");
+}
+
+TEST(Plot, a_label_without_room_is_left_out) {
+    LabelPlacer placer({0, 0, 300, 10});
+    placer.mark(150, 5);
+    EXPECT_FALSE(placer.place(150, 5, std::string(100, 'x')));
+    EXPECT_FALSE(LabelPlacer({0, 0, 300, 8}).place(20, 4, "higher than the room"));
+}
+
+TEST(Plot, only_labelled_points_are_named) {
+    LinePlot plot;
+    plot.series = {{"s", {{0, 1, "a", false, "alpha"}, {10, 2, "b"}}}};
+    EXPECT_THAT(svg_of(plot), HasSubstr("class=\"label\">alpha</text>"));
+}
+
+TEST(Plot, a_short_logarithmic_axis_has_more_than_powers_of_ten) {
+    LinePlot plot;
+    plot.y.scale = AxisScale::logarithmic;
+    plot.series = {{"s", {{0, 0.03, ""}, {1, 0.3, ""}}}};
+    for (const char* tick : {">0.05<", ">0.1<", ">0.2<"})
+        EXPECT_THAT(svg_of(plot), HasSubstr(tick));
+    plot.series = {{"s", {{0, 1e-8, ""}, {1, 1e8, ""}}}};
+    EXPECT_THAT(svg_of(plot), HasSubstr(">1e8<"));
+    EXPECT_THAT(svg_of(plot), Not(HasSubstr(">2<")));
 }
 
 TEST(Plot, a_plot_without_values_is_still_a_plot) {

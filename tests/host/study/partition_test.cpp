@@ -54,6 +54,13 @@ TEST(Partition, interleaved_is_what_the_machine_counted) {
     EXPECT_EQ(share.overhead, 0U);
 }
 
+TEST(Partition, efficiency_is_the_mean_over_the_largest_and_speed_up_the_sum_over_it) {
+    const Share share = share_out(Work(4, 1, {1, 2, 3, 10}), {4, 1}, Partition::interleaved);
+    EXPECT_DOUBLE_EQ(share.efficiency(), 0.4);
+    EXPECT_DOUBLE_EQ(share.speed_up(), 1.6);
+    EXPECT_EQ(share.slowest, 10U);
+}
+
 TEST(Partition, even_work_is_shared_evenly) {
     const Work work = even_work(64, 64);
     for (const Partition partition : all_partitions)

@@ -70,6 +70,18 @@ TEST(Dsp32Accumulator, overflow_saturates_to_the_largest_of_that_sign) {
     EXPECT_EQ(multiply(most_negative, two), (Accumulator{-0x100000000LL, 255}));
 }
 
+TEST(Dsp32Accumulator, only_overflow_raises_the_sticky_flag) {
+    overflowed = false;
+    EXPECT_EQ(store(multiply(word_of(0x1p-100), word_of(0x1p-100))), zero);
+    EXPECT_EQ(store(subtract(one, one)), zero);
+    EXPECT_FALSE(overflowed) << "zeros and underflow";
+    EXPECT_EQ(store(multiply(word_of(0x1p100), word_of(0x1p100))), largest);
+    EXPECT_TRUE(overflowed);
+    EXPECT_EQ(store(add(one, one)), word_of(2.0));
+    EXPECT_TRUE(overflowed) << "until it is cleared";
+    overflowed = false;
+}
+
 TEST(Dsp32Accumulator, a_product_beyond_the_range_counts_in_full_until_the_sum_is_judged) {
     // largest * 2 does not fit, largest * 2 - largest does, up to what alignment chops.
     EXPECT_EQ(store(multiply_subtract(load(largest), largest, two)), word_of(-0x1.fffffep127));

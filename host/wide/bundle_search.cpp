@@ -1,18 +1,18 @@
 // Highway compiles this file once for every kind of register and picks one at run time.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
-#include "host/wide/tile_search.hpp"
+#include "host/wide/bundle_search.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "host/wide/tile_search.cpp"
+#define HWY_TARGET_INCLUDE "host/wide/bundle_search.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "host/wide/fixed_direction.inl"
-#include "host/wide/shade_hit.inl"
+#include "host/wide/seen_cell.inl"
 #include "host/wide/start_cell.inl"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,27 +20,27 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 constexpr double start_pixels = 16;  // the largest diameter of a start cell
 
-/// The depth beyond which no ray of the tile looks any more.
+/// The depth beyond which no ray of the bundle looks any more.
 inline double farthest_best(const Workspace& work) {
     double farthest = 0;
-    for (std::uint64_t rays = work.tile.inside; rays != 0; rays &= rays - 1) {
+    for (std::uint64_t rays = work.bundle.inside; rays != 0; rays &= rays - 1) {
         farthest = std::max(farthest, work.best[static_cast<std::size_t>(std::countr_zero(rays))]);
     }
     return farthest;
 }
 
 /// Whether a shared cell is small enough for the rays to go on alone.
-inline bool is_start(const WideScene& scene, int object, std::uint32_t level, double diameter,
-                     double near) {
+inline bool is_start(const WideScene& scene, const Workspace& work, int object, std::uint32_t level,
+                     double diameter, double near) {
     return level == scene.objects[static_cast<std::size_t>(object)].levels ||
-           diameter <= start_pixels * pixel_at(scene, object, near);
+           diameter <= start_pixels * pixel_at(scene, work.bundle, object, near);
 }
 
 /// Goes down into a cell of the queue, or gives it to the rays.
 inline void take_cell(const WideScene& scene, Workspace& work, double near, int index) {
     if (index < 0) {
         const FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(~index)];
-        if (is_start(scene, cell.object, cell.level, cell.diameter, near)) {
+        if (is_start(scene, work, cell.object, cell.level, cell.diameter, near)) {
             visit_homotheties(scene, work, ~index);
         } else {
             open_fixed_cell(scene, work, ~index);
@@ -48,7 +48,7 @@ inline void take_cell(const WideScene& scene, Workspace& work, double near, int 
         return;
     }
     const SharedCell& cell = work.cells[static_cast<std::size_t>(index)];
-    if (is_start(scene, cell.object, cell.level, cell.diameter, near)) {
+    if (is_start(scene, work, cell.object, cell.level, cell.diameter, near)) {
         visit_start_cell(scene, work, index);
     } else {
         open_shared_cell(scene, work, index);
@@ -83,7 +83,7 @@ HWY_AFTER_NAMESPACE();
 namespace pxm::host::wide {
 
 HWY_EXPORT(search);
-HWY_EXPORT(shade);
+HWY_EXPORT(see);
 
 float* Arena::floats(std::size_t count) {
     if (used_ + count > chunk_floats) {
@@ -96,27 +96,28 @@ float* Arena::floats(std::size_t count) {
     return room;
 }
 
-void search_tile(const WideScene& scene, Workspace& work) {
+void search_bundle(const WideScene& scene, Workspace& work) {
     work.cells.clear();
     work.queue.clear();
     work.blocks.clear();
     work.arena.clear();
     work.paths_used = 0;
-    ++work.tile_number;
+    ++work.bundle_number;
     work.fixed_cells.clear();
     work.box_beams.resize(scene.objects.size());
+    work.shadows.resize(scene.objects.size());
     work.turned.resize(2 * scene.sets.size());
     work.turned_twice.resize(2 * scene.sets.size());
     work.turned_for.resize(2 * scene.sets.size(), 0);
     work.shared_tests = 0;
     for (Found& found : work.found) found.clear();
     work.improved = true;
-    work.best.fill(std::numeric_limits<double>::infinity());
+    work.best = work.bundle.end;
     HWY_DYNAMIC_DISPATCH(search)(scene, work);
 }
 
-bool shade_hit(const WideScene& scene, Workspace& work, int ray, Shaded& shaded) {
-    return HWY_DYNAMIC_DISPATCH(shade)(scene, work, ray, shaded);
+bool see_cell(const WideScene& scene, Workspace& work, int ray, SeenCell& seen) {
+    return HWY_DYNAMIC_DISPATCH(see)(scene, work, ray, seen);
 }
 
 }  // namespace pxm::host::wide

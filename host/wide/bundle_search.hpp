@@ -1,7 +1,7 @@
-// The first cells that the 64 rays of a tile meet. Three steps, one file each:
-//   shared_levels.inl  the tile as a whole goes down to *start cells* of a few pixels, nearest
+// The first cells that the 64 rays of a bundle meet. Three steps, one file each:
+//   shared_levels.inl  the bundle as a whole goes down to *start cells* of a few pixels, nearest
 //                          first, in double
-//   start_cell.inl     the tile's rays, in lanes, against a start cell, in float
+//   start_cell.inl     the bundle's rays, in lanes, against a start cell, in float
 //   single_ray.inl     each ray that meets it alone, with a cell's children in lanes
 // A workspace is one thread's; its memory does not grow with the picture.
 #pragma once
@@ -10,12 +10,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/wide/tile_view.hpp"
+#include "host/wide/ray_bundle.hpp"
 #include "host/wide/wide_scene.hpp"
 
 namespace pxm::host::wide {
 
-/// A cell that the tile's rays share, as seen from the tile. A point of a ray at depth z is
+/// A cell that the bundle's rays share, as seen from the bundle. A point of a ray at depth z is
 /// o + (z - base) W + u U + v V in the cell's unit coordinates; o is near the volume's centre.
 struct SharedCell {
     std::array<double, 12> rows;   // U, V, W, o
@@ -23,7 +23,7 @@ struct SharedCell {
     double constant = 1;           // Lipschitz constant of the composed map (otherwise)
     double diameter = 0;           // in scene units
     double base = 0;
-    double near = 0;  // all rays of the tile are within this interval of depths
+    double near = 0;  // all rays of the bundle are within this interval of depths
     double far = 0;   // while they are in the cell
     int set = 0;
     int object = 0;
@@ -34,7 +34,7 @@ struct SharedCell {
     int path = -1;        // index of its path, once a ray has hit below it
 };
 
-/// A shared cell of homotheties: its centre and its size. For balls in the tile's frame and scene
+/// A shared cell of homotheties: its centre and its size. For balls in the bundle's frame and scene
 /// units, z along the axis; for boxes in the unit coordinates of the object.
 struct FixedCell {
     std::array<double, 3> center;
@@ -51,11 +51,19 @@ struct FixedCell {
     int path;
 };
 
-/// What the shared cells of an object of boxes have in common, as seen from the tile. Along each
+/// What the shared cells of an object of boxes have in common, as seen from the bundle. Along each
 /// axis k a ray is at eye[k] + z w[k], more or less spread0[k] + z spread1[k]; kept of the paces
 /// are 1 / (w - spread1) and 1 / (-w - spread1).
 struct BoxBeam {
     std::array<double, 3> eye, spread0, high_pace, low_pace;
+};
+
+/// The shadow that the hull of an object's attractor casts on the plane across the bundle, in radii
+/// of its ball: the places (px, py) with x px + y py <= height for each edge. No edges: no cull.
+struct HullShadow {
+    static constexpr int most_edges = 6;
+    int edges = 0;
+    std::array<double, most_edges> x, y, height;
 };
 
 /// The children of a cell below a start cell, in lanes; shared by the rays that open it.
@@ -103,7 +111,7 @@ struct Found {
     std::array<std::uint16_t, most_below> below;
 };
 
-/// Floats and ints that live until the tile is done.
+/// Floats and ints that live until the bundle is done.
 class Arena {
   public:
     void clear() {
@@ -144,12 +152,12 @@ struct Opened {
     bool two;    // its grandchildren were tested at once
 };
 
-/// A start cell as the tile's rays see it, and what the rays below it need.
+/// A start cell as the bundle's rays see it, and what the rays below it need.
 struct StartRays {
-    alignas(64) float origin[3][tile_rays];
-    alignas(64) float direction[3][tile_rays];
-    alignas(64) float key[tile_rays];
-    alignas(64) float exit[tile_rays];
+    alignas(64) float origin[3][bundle_rays];
+    alignas(64) float direction[3][bundle_rays];
+    alignas(64) float key[bundle_rays];
+    alignas(64) float exit[bundle_rays];
     int cell = 0;
     int block = -1;  // of its children, once opened
     double base = 0;
@@ -176,39 +184,36 @@ struct Path {
     std::array<float, 3> color{};
 };
 
-/// A hit as the picture wants it.
-struct Shaded {
-    std::array<float, 3> color;
-    std::array<float, 3> normal;
-    float t;  // scene units
+/// What a ray sees of a cell.
+struct SeenCell {
+    std::array<float, 3> color;   // of the surface, without light
+    std::array<float, 3> normal;  // the total normal, scene coordinates
+    std::vector<float> facing;    // of each light: Lambert's cosine, or its mean over the path
+    double depth;                 // along the bundle's axis
     int object;
     int level;
-    std::uint32_t word;
+    std::uint32_t word;  // hash
 };
 
-/// Of p: what is nearer by less may be passed over. Decision 4 allows all of p; the rest is for
-/// rounding.
-inline constexpr float allowed_share = 0.0F;
-
 struct Workspace {
-    TileView tile;
+    RayBundle bundle;
     std::vector<SharedCell> cells;
     std::vector<FixedCell> fixed_cells;
     std::vector<BoxBeam> box_beams;             // per object
+    std::vector<HullShadow> shadows;            // per object
     std::vector<std::pair<double, int>> queue;  // (near, cell or ~fixed cell), a heap
     std::vector<Block> blocks;
     Arena arena;
     StartRays start;
     std::vector<Waiting> stack;
     std::vector<Opened> opened;
-    std::vector<LaneTable<float>> turned;  // homothety tables in the tile's frame
+    std::vector<LaneTable<float>> turned;  // homothety tables in the bundle's frame
     std::vector<LaneTable<double>> turned_twice;
-    std::vector<std::uint64_t> turned_for;  // (tile, object) they are right for
-    std::uint64_t tile_number = 0;
-    std::array<Found, tile_rays> found;
-    /// What lies beyond is of no interest to a ray: where it found a cell, less the share of p that
-    /// decision 4 allows; else infinity.
-    std::array<double, tile_rays> best;
+    std::vector<std::uint64_t> turned_for;  // (bundle, object) they are right for
+    std::uint64_t bundle_number = 0;
+    std::array<Found, bundle_rays> found;
+    /// What lies beyond is of no interest to a ray: where it found a cell, or where it ends.
+    std::array<double, bundle_rays> best;
     double farthest = 0;   // of all rays inside, when last looked for
     bool improved = true;  // since then
     std::uint64_t shared_tests = 0;
@@ -217,11 +222,11 @@ struct Workspace {
     hwy::AlignedFreeUniquePtr<double[]> scratch;  // children of a shared cell, in lanes
 };
 
-/// Fills in `found` for the tile in the workspace, on the widest registers there are.
-void search_tile(const WideScene& scene, Workspace& work);
+/// Fills in `found` for the bundle in the workspace, on the widest registers there are.
+void search_bundle(const WideScene& scene, Workspace& work);
 
-/// Shades what a ray of the tile has found. False if the walk along the path does not confirm it in
-/// float: the clear kernels are to judge.
-[[nodiscard]] bool shade_hit(const WideScene& scene, Workspace& work, int ray, Shaded& shaded);
+/// Looks at what a ray of the bundle has found. False if the walk along the path does not confirm
+/// it in float: the clear kernels are to judge.
+[[nodiscard]] bool see_cell(const WideScene& scene, Workspace& work, int ray, SeenCell& seen);
 
 }  // namespace pxm::host::wide

@@ -1,0 +1,24 @@
+// How a render of the stability study did.
+#pragma once
+
+#include <vector>
+
+#include "host/study/deviation.hpp"
+
+namespace pxm::host {
+
+inline constexpr double right_share = 0.001;    // of wrong pixels: design decision 4
+inline constexpr double degraded_share = 0.02;  // more is a failure
+
+/// The deviation's wrong pixels, and those whose reference was given up: nobody knows what they
+/// show.
+[[nodiscard]] std::vector<char> wrong_pixels(const Deviation& deviation,
+                                             const RenderResult& reference);
+/// How many of the pixels are marked.
+[[nodiscard]] double share_of(const std::vector<char>& marks);
+/// Of all pixels, those that are wrong and have no alarm of their own.
+[[nodiscard]] double missed_share(const RenderResult& picture, std::vector<char> wrong);
+/// `right`, `degraded`, `reported` or `silent`.
+[[nodiscard]] const char* grade_of(double wrong_share, bool alarmed);
+
+}  // namespace pxm::host
