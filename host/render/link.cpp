@@ -166,9 +166,10 @@ std::int64_t NodeProgram::used_bytes() const {
 NodeProgram link(const CompiledScene& scene) {
     NodeProgram program;
     choose_modules(scene, program);
-    const std::string_view tracer = needs_plain_features(scene) ? "trace"
-                                    : needs_covers(scene)       ? "trace_all"
-                                                                : "trace_rays";
+    const std::string_view tracer = scene.area                    ? "trace_area"
+                                    : needs_plain_features(scene) ? "trace"
+                                    : needs_covers(scene)         ? "trace_all"
+                                                                  : "trace_rays";
     const auto entry = std::ranges::find_if(function_table, [&](const MeasuredFunction& function) {
         return function.module == tracer && function.name == entry_function;
     });
