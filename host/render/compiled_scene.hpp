@@ -105,7 +105,7 @@ struct CompiledScene {
     double fade = 1;    // covers begin to show at so many pixels: tau_max
     bool covers = false;
     bool area = false;  // covers by area: `samples` are places in the beam of a pixel
-    long bounces = 4;                             // most mirrors one after another
+    long bounces = 4;   // most mirrors one after another
     std::vector<glm::dvec2> samples{{0.5, 0.5}};  // places of a pixel's eye rays in it
     std::uint32_t cell_cap = 1'000'000;           // most cells tested for one ray
     long heap = 256;
