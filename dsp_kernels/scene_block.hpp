@@ -68,6 +68,18 @@ struct HeaderRecord : Record<R, 19, 26> {
     static constexpr std::uint32_t sample_share = Base::real(25);  // 1 / sample_count
 };
 
+/// What a beam knows of the places in a pixel (covers: area): it follows the one place of the eye's
+/// ray. First of how many bits places are in the first 0, 1, ... count columns, and in so many
+/// rows; then the places themselves.
+template <std::uint32_t R>
+struct BeamRecord : Record<R, 3, 0> {
+    using Base = Record<R, 3, 0>;
+    static constexpr std::uint32_t count = Base::integer(0);
+    static constexpr std::uint32_t first_column = Base::integer(1);  // of the eye's ray
+    static constexpr std::uint32_t first_row = Base::integer(2);
+    static constexpr std::uint32_t columns = Base::words;
+};
+
 /// One object: an instance of a linear fractal.
 template <std::uint32_t R>
 struct ObjectRecord : Record<R, 6, 29> {
@@ -90,7 +102,8 @@ struct ObjectRecord : Record<R, 6, 29> {
 };
 
 /// What may stand inside a map: its bounding volume and the maps that may come next.
-/// The addresses of the maps follow the record, in the order of the maps. What an oriented box or a
+/// The addresses of the maps follow the record, in the order of the maps; with covers: area, what
+/// the attractor covers of the volume on average comes after them. What an oriented box or a
 /// hull needs besides its centre lies at an address of its own.
 template <std::uint32_t R>
 struct FollowSetRecord : Record<R, 3, 10> {

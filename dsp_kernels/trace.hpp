@@ -5,59 +5,16 @@
 
 #include <type_traits>
 
+#include "dsp_kernels/beam.hpp"
 #include "dsp_kernels/cover_list.hpp"
 #include "dsp_kernels/first_cell.hpp"
 #include "dsp_kernels/lights.hpp"
 #include "dsp_kernels/pending_rays.hpp"
-#include "dsp_kernels/plane.hpp"
+#include "dsp_kernels/pixel_result.hpp"
 #include "dsp_kernels/reflection.hpp"
 #include "dsp_kernels/shadow.hpp"
 
 namespace pxm::kernels {
-
-/// What a scene needs of the tracer; what it does not is not compiled in.
-struct Features {
-    bool covers = false;   // local covers or translucent objects
-    bool shadows = false;  // lights that cast shadows
-    bool mirrors = false;  // surfaces that reflect
-};
-inline constexpr Features plain_features{};
-inline constexpr Features ray_features{false, true, true};
-inline constexpr Features all_features{true, true, true};
-
-/// What the tracer takes from the scene block, read once for all pixels.
-template <class Real>
-struct FrameConstants {
-    Search<Real> search;  // of eye rays, without the ray
-    ShadingMode shading;
-    Vec3<Real> background;
-    std::uint32_t planes;   // how many
-    std::uint32_t bounces;  // most mirrors one after another
-    std::uint32_t samples;  // eye rays of a pixel
-    Real sample_share;      // 1 / samples
-};
-
-/// Which of a pixel's eye rays: the first one's cell stands for the pixel.
-enum class Sample { first, other };
-
-/// Rays of one pixel, beyond the eye's.
-struct RayCounts {
-    std::uint64_t light = 0;
-    std::uint64_t reflect = 0;
-};
-
-/// What is known of a pixel once it is traced. Of several cells that show along its first ray,
-/// `found` is the one that contributes most, unless the plane behind them, `floor`, does.
-template <class Real>
-struct PixelResult {
-    Vec3<Real> color{};
-    Real opacity{};  // 0: the background alone
-    SearchResult<Real> found;
-    PlaneHit<Real> floor;
-    Vec3<Real> normal{};  // the total normal at `found`, or the normal of `floor`
-    SearchCounts counts;
-    RayCounts rays;
-};
 
 /// A member that only some tracers have.
 struct Nothing {};
@@ -101,6 +58,12 @@ class Tracer {
         if (meets_plane(ray.search, floor)) ray.search.end = floor.t;
         if constexpr (features.covers) {
             look_through_covers(ray);
+        } else if constexpr (features.area) {
+            if (kind == RayKind::eye) {
+                look_over_area(ray);
+            } else {
+                look_at_first(ray);
+            }
         } else {
             look_at_first(ray);
         }
@@ -120,6 +83,42 @@ class Tracer {
         if (found.outcome == Outcome::miss) return;
         show(ray, found.cell, found.shown, found.outcome);
         ray.share = Real(0);
+    }
+
+    void look_over_area(PendingRay<Real>& ray) noexcept {
+        Beam<Node> beam(node_, ray.search);
+        sights_.size = 0;
+        beam.look(heap_, result_.counts, sights_);
+        const bool complete = !heap_.overflowed();
+        count_heap(heap_, result_.counts);
+        const Real whole = ray.share;
+        ray.share = complete ? whole * beam.left() : Real(0);
+        for (std::uint32_t i = 0; i < sights_.size; ++i) {
+            node_.tally(Operation::loop_turn, 1);
+            node_.tally(Operation::multiply_add, 1);
+            const Sight<Real>& sight = sights_.sights[i];
+            PendingRay<Real> part = ray;
+            part.share = whole * sight.share;
+            part.search.ray = beam.ray_through(sight.place);
+            show(part, sight.cell, {Real(1), 0}, Outcome::hit);
+        }
+        if (!complete) look_one_by_one(ray, beam, whole);
+    }
+
+    /// What the heap had no room for: places that are open still, each by a ray of its own.
+    void look_one_by_one(PendingRay<Real>& ray, Beam<Node>& beam, Real whole) noexcept {
+        ++result_.counts.restarts;
+        for (std::uint32_t i = 0; i < beam.places(); ++i) {
+            node_.tally(Operation::loop_turn, 1);
+            node_.tally(Operation::compare_branch, 1);
+            if (!(Real(0) < beam.left(i))) continue;
+            node_.tally(Operation::multiply_add, 2);
+            PendingRay<Real> one = ray;
+            one.share = whole * beam.left(i) * beam.share_of_place();
+            one.search.ray = beam.ray_through(beam.place(i));
+            look_at_first(one);
+            ray.share = ray.share + one.share;
+        }
     }
 
     void look_through_covers(PendingRay<Real>& ray) noexcept {
@@ -178,11 +177,38 @@ class Tracer {
         lit.surface = plane_surface(node_, ray.search.ray, lit.pixel, hit);
         lit.point = point_at(node_, ray.search.ray, hit.t);
         lit.sighting = nullptr;
+        if constexpr (features.area) {
+            if (kind_ == RayKind::eye) lit.surface.color = plane_color(ray.search, hit);
+        }
         shade(ray, lit);
         if (!is_most(ray)) return;
         result_.found.outcome = Outcome::miss;
         result_.floor = hit;
         result_.normal = lit.surface.normal;
+    }
+
+    /// The mean colour of the plane at the places of a pixel, each as fine as a sample's.
+    [[nodiscard]] Vec3<Real> plane_color(const Search<Real>& search,
+                                         const PlaneHit<Real>& hit) noexcept {
+        Beam<Node> beam(node_, search);
+        node_.tally(Operation::square_root, 1);
+        const Real finer = square_root(beam.share_of_place());
+        Vec3<Real> color{};
+        Real places = Real(0);
+        for (std::uint32_t i = 0; i < beam.places(); ++i) {
+            node_.tally(Operation::loop_turn, 1);
+            node_.tally(Operation::multiply_add, 2);
+            const Ray<Real> ray = beam.ray_through(beam.place(i));
+            PlaneHit<Real> there;
+            const bool meets = nearest_plane(node_, ray, search.start, far_away<Real>, there);
+            if (!meets || there.plane != hit.plane) continue;
+            const Real pixel = finer * pixel_on_plane(node_, search.pixel, there.t);
+            color =
+                add_scaled(node_, color, Real(1), plane_surface(node_, ray, pixel, there).color);
+            places = places + Real(1);
+        }
+        node_.tally(Operation::reciprocal, 1);
+        return scale(node_, reciprocal(places), color);
     }
 
     /// Counts what was added along an eye ray; whether it is the largest share of the first one.
@@ -257,6 +283,7 @@ class Tracer {
     PixelResult<Real>& result_;
     [[no_unique_address]] OnlyIf<features.mirrors, PendingRays<Real>> pending_;
     [[no_unique_address]] OnlyIf<features.covers, CoverList<Real>> covers_;
+    [[no_unique_address]] OnlyIf<features.area, SightList<Real>> sights_;
     bool opaque_ = false;  // nothing shows behind the covers in the list
     Sample sample_ = Sample::first;
     Real least_{};  // a share below it is not traced

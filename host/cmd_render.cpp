@@ -217,7 +217,7 @@ CommandAction add_render_command(CLI::App& app) {
         ->check(positive_number());
     command->add_option("--numeric", a->numeric, "dsp32, float or double");
     command->add_option("--samples", a->samples, "Samples a pixel")->check(CLI::Range(1L, 65536L));
-    command->add_option("--covers", a->covers, "on, off, or tmin,tmax in pixels");
+    command->add_option("--covers", a->covers, "on, off, area, or tmin,tmax in pixels");
     command->add_option("--shading", a->shading, "constant, low-pass, high-pass or facet");
     command->add_option("--intersect", a->intersect, "auto, heap, fast or wide");
     command->add_option("--lipschitz", a->lipschitz, "auto, product, determinant or polar");

@@ -91,16 +91,17 @@ std::pair<long, long> parse_pixel(const std::string& text) {
     return {(*values)[0], (*values)[1]};
 }
 
-std::variant<CoversOff, Covers> parse_covers(const std::string& text) {
+CoversChoice parse_covers(const std::string& text) {
     if (text == "off") return CoversOff{};
     if (text == "on") return Covers{};
+    if (text == "area") return AreaCovers{};
     const auto parts = split(text, ',');
     if (parts.size() == 2) {
         const auto low = number<double>(parts[0]);
         const auto high = number<double>(parts[1]);
         if (low && high && *low > 0 && *high > *low) return Covers{*low, *high};
     }
-    refuse("--covers", text, "on, off, or tmin,tmax in pixels with 0 < tmin < tmax");
+    refuse("--covers", text, "on, off, area, or tmin,tmax in pixels with 0 < tmin < tmax");
 }
 
 std::vector<Aov> parse_aovs(const std::string& text) {

@@ -17,7 +17,7 @@ namespace pxm::host {
 [[nodiscard]] PixelSize parse_size(const std::string& text);
 [[nodiscard]] CropWindow parse_crop(const std::string& text);
 [[nodiscard]] std::pair<long, long> parse_pixel(const std::string& text);
-[[nodiscard]] std::variant<CoversOff, Covers> parse_covers(const std::string& text);
+[[nodiscard]] CoversChoice parse_covers(const std::string& text);
 [[nodiscard]] std::vector<Aov> parse_aovs(const std::string& text);
 [[nodiscard]] Numeric parse_numeric(const std::string& text);
 [[nodiscard]] Shading parse_shading(const std::string& text);

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "host/fractal/lipschitz.hpp"
+#include "host/render/area_covers.hpp"
 #include "host/render/bounding_volume.hpp"
 #include "host/render/compile_floor.hpp"
 #include "host/render/lifted_fractal.hpp"
@@ -146,6 +147,10 @@ class Compiler {
             out_.covers = true;
         }
         out_.bounces = render_.bounces.value_or(out_.bounces);
+        if (render_.covers && std::holds_alternative<AreaCovers>(*render_.covers)) {
+            cover_by_area(render_, out_, diagnostics_);
+            return;
+        }
         out_.samples = sample_places(render_.samples.value_or(1));
         const double finer = std::sqrt(static_cast<double>(out_.samples.size()));
         out_.camera.pixel_at_eye /= finer;

@@ -35,6 +35,7 @@ struct CompiledVolume {
 struct CompiledSet {
     CompiledVolume volume;
     std::vector<int> maps;
+    double coverage = 1;  // mean share of rays through the volume that meet the attractor
 };
 
 struct CompiledMap {
@@ -118,7 +119,8 @@ struct CompiledScene {
     double detail = 1;  // terminal at so many pixels; with covers tau_min
     double fade = 1;    // covers begin to show at so many pixels: tau_max
     bool covers = false;
-    long bounces = 4;                             // most mirrors one after another
+    bool area = false;  // covers by area: `samples` are places in the beam of a pixel
+    long bounces = 4;   // most mirrors one after another
     std::vector<glm::dvec2> samples{{0.5, 0.5}};  // places of a pixel's eye rays in it
     std::uint32_t cell_cap = 1'000'000;           // most cells tested for one ray
     long heap = 256;

@@ -11,6 +11,7 @@ namespace pxm::host {
 /// Calls `run.operator()<features>()` with the least that the scene needs.
 template <class Run>
 auto with_needed_features(const CompiledScene& scene, const Run& run) {
+    if (scene.area) return run.template operator()<kernels::area_features>();
     if (needs_covers(scene)) return run.template operator()<kernels::all_features>();
     if (needs_plain_features(scene)) return run.template operator()<kernels::plain_features>();
     return run.template operator()<kernels::ray_features>();

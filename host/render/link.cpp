@@ -59,13 +59,16 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
     const char* nothing = "no objects or planes";
     const bool shadows = surfaces && needs_shadows(scene);
     take("pixel_program", true, "every node has pixels", "");
-    const bool covers = needs_covers(scene);
+    const bool area = scene.area;
+    const bool covers = needs_covers(scene) && !area;
     take("trace", plain, "the first cell of each eye ray is all that counts",
          "another tracer takes its place");
-    take("trace_rays", !plain && !covers, "shadows or mirrors, and no local covers",
+    take("trace_rays", !plain && !covers && !area, "shadows or mirrors, and no local covers",
          plain ? "no shadows and mirrors" : "another tracer takes its place");
     take("trace_all", covers, "local covers or translucent objects",
-         "covers: off, and no translucent object");
+         area ? "covers: area" : "covers: off, and no translucent object");
+    take("trace_area", area, "covers: area", "no covers: area");
+    take("beam", area, "covers: area", "no covers: area");
     take("vectors", true, "every other module calls it", "");
     take("camera", true, "every pixel has an eye ray", "");
     take("perspective", perspective, "a perspective camera", "an orthographic camera");
@@ -97,8 +100,8 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
     take("texture_inclusion", any_texture(scene, kernels::TextureKind::inclusion),
          "flat attractors as textures", "no texture is an ifs");
     take("illuminate", surfaces, "surfaces are lit", nothing);
-    take("covers", needs_covers(scene), "local covers or translucent objects",
-         "covers: off, and no translucent object");
+    take("covers", covers, "local covers or translucent objects",
+         area ? "covers: area" : "covers: off, and no translucent object");
     take("shadow", shadows, "lights that cast shadows", "no light casts shadows");
     take("shadow_point",
          shadows && std::ranges::any_of(scene.lights,
@@ -164,9 +167,10 @@ std::int64_t NodeProgram::used_bytes() const {
 NodeProgram link(const CompiledScene& scene) {
     NodeProgram program;
     choose_modules(scene, program);
-    const std::string_view tracer = needs_plain_features(scene) ? "trace"
-                                    : needs_covers(scene)       ? "trace_all"
-                                                                : "trace_rays";
+    const std::string_view tracer = scene.area                    ? "trace_area"
+                                    : needs_plain_features(scene) ? "trace"
+                                    : needs_covers(scene)         ? "trace_all"
+                                                                  : "trace_rays";
     const auto entry = std::ranges::find_if(function_table, [&](const MeasuredFunction& function) {
         return function.module == tracer && function.name == entry_function;
     });

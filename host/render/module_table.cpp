@@ -10,6 +10,7 @@ const std::string_view module_table_compiler = "g++ 12.2.0 x86-64";
 
 const std::vector<MeasuredModule> module_table{
     // name, program, read-only data, other data; bytes
+    {"beam", 4353, 32, 0},
     {"box", 844, 28, 0},
     {"camera", 294, 0, 0},
     {"cone", 1023, 28, 0},
@@ -20,7 +21,7 @@ const std::vector<MeasuredModule> module_table{
     {"heap", 998, 0, 0},
     {"hull", 758, 12, 0},
     {"illuminate", 20, 0, 0},
-    {"intersect", 776, 0, 0},
+    {"intersect", 804, 0, 0},
     {"intersect_fast", 2777, 20, 0},
     {"mirror", 221, 16, 0},
     {"next_after", 1244, 4, 0},
@@ -39,195 +40,229 @@ const std::vector<MeasuredModule> module_table{
     {"texture_image", 944, 12, 0},
     {"texture_inclusion", 1687, 28, 0},
     {"texture_wood", 2419, 120, 0},
-    {"trace", 2146, 20, 0},
+    {"trace", 2127, 20, 0},
     {"trace_all", 3201, 24, 0},
-    {"trace_rays", 2886, 24, 0},
+    {"trace_area", 4426, 40, 0},
+    {"trace_rays", 2859, 24, 0},
     {"vectors", 1316, 20, 0},
 };
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"box", "box_normal", 128, {169, 2, 4}},  // 0
-    {"box", "clip_to_slab", 8, {}},  // 1
-    {"box", "decisive_face", 8, {}},  // 2
-    {"box", "intersect_box", 112, {169, 1}},  // 3
-    {"box", "box_normal (part)", 8, {}},  // 4
-    {"camera", "eye_ray", 96, {166, 169, 88, 87}},  // 5
-    {"cone", "cone_normal", 128, {166, 169, 7, 174, 179}},  // 6
-    {"cone", "clip_to_mantle", 8, {}},  // 7
-    {"cone", "intersect_cone", 80, {169, 7, 179}},  // 8
-    {"covers", "next_after", 432, {17, 19, 76, 77, 78, 37, 53}},  // 9
-    {"covers", "covers_along", 768, {58, 9, 17, 53, 20, 23}},  // 10
-    {"covers", "covers_along", 768, {58, 9, 17, 53, 21, 24}},  // 11
-    {"covers", "MissedChildren::shown", 8, {}},  // 12
-    {"covers", "MissedChildren::missed", 80, {169, 30, 97, 174, 36, 179}},  // 13
-    {"covers", "cover_children", 464, {28, 12, 13, 97, 17, 44, 33, 36}},  // 14
-    {"covers", "CoverRule::operator (part)", 464, {28, 12, 13, 97, 17, 33, 36}},  // 15
-    {"covers", "shrunk_for_covers", 96, {166, 169, 175, 38, 179}},  // 16
-    {"covers", "Cell::Cell", 8, {}},  // 17
-    {"covers", "ending", 48, {29}},  // 18
-    {"covers", "look_at", 80, {30, 15, 51, 34, 38, 53}},  // 19
-    {"covers", "walk_heap", 128, {59, 30, 14, 42, 18, 38, 22, 23}},  // 20
-    {"covers", "walk_heap", 128, {59, 30, 14, 42, 18, 38, 24}},  // 21
-    {"covers", "CollectCovers::operator", 32, {53}},  // 22
-    {"covers", "CoverWalk::tell", 32, {51, 22}},  // 23
-    {"covers", "CoverWalk::tell", 32, {51}},  // 24
-    {"cylinder", "within_mantle", 8, {}},  // 25
-    {"cylinder", "cylinder_normal", 128, {166, 169, 25, 179}},  // 26
-    {"cylinder", "intersect_cylinder", 96, {169, 25, 179}},  // 27
-    {"descend", "child_cell", 144, {167, 170, 40}},  // 28
-    {"descend", "at_last_level", 8, {}},  // 29
-    {"descend", "cell_diameter", 32, {98}},  // 30
-    {"descend", "outermost_cell", 176, {167, 168, 170, 36}},  // 31
-    {"descend", "intersect_volume", 8, {3, 8, 56, 111, 27, 85}},  // 32
-    {"descend", "meet", 112, {29, 32, 16, 35}},  // 33
-    {"descend", "ending", 48, {29, 30, 38}},  // 34
-    {"descend", "approach", 80, {169, 176}},  // 35
-    {"descend", "is_polar", 8, {}},  // 36
-    {"descend", "map_from", 8, {}},  // 37
-    {"descend", "pixel_at", 8, {}},  // 38
-    {"flatness", "undo_squash", 80, {166, 174, 179}},  // 39
-    {"flatness", "keep_thickness", 208, {168, 169, 39, 173, 174, 36, 38, 180}},  // 40
-    {"heap", "cell_words", 8, {}},  // 41
-    {"heap", "Heap::pop", 16, {45, 47, 49}},  // 42
-    {"heap", "Heap::keep", 8, {52}},  // 43
-    {"heap", "Heap::push", 80, {43, 46, 48, 51, 52}},  // 44
-    {"heap", "Heap::swap", 8, {}},  // 45
-    {"heap", "Heap::entry", 8, {}},  // 46
-    {"heap", "Heap::fetch", 8, {52}},  // 47
-    {"heap", "Heap::sift_up", 48, {45, 46, 51}},  // 48
-    {"heap", "Heap::sift_down", 80, {45, 46, 51}},  // 49
-    {"heap", "Heap::Heap", 8, {}},  // 50
-    {"heap", "before", 8, {}},  // 51
-    {"heap", "copy_cell", 32, {41}},  // 52
-    {"heap", "move_cell", 8, {52}},  // 53
-    {"hull", "cross_plane", 80, {169, 174}},  // 54
-    {"hull", "hull_normal", 128, {54, 169, 179}},  // 55
-    {"hull", "intersect_hull", 112, {54, 169, 179}},  // 56
-    {"illuminate", "facing", 16, {174}},  // 57
-    {"intersect", "count_heap", 8, {}},  // 58
-    {"intersect", "push_objects", 384, {31, 61, 44, 33}},  // 59
-    {"intersect", "push_children", 416, {28, 97, 61, 44, 33, 36}},  // 60
-    {"intersect", "Cell::Cell", 8, {}},  // 61
-    {"intersect", "intersect", 112, {58, 73, 59, 60, 61, 42, 34}},  // 62
-    {"intersect_fast", "project_ray", 192, {167, 169, 170, 174, 176, 179, 180}},  // 63
-    {"intersect_fast", "include_point", 8, {}},  // 64
-    {"intersect_fast", "project_child", 128, {166, 169, 174, 179}},  // 65
-    {"intersect_fast", "search_object", 416, {63, 64, 67, 69, 70, 71}},  // 66
-    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 67
-    {"intersect_fast", "intersect_fast", 416, {66, 62}},  // 68
-    {"intersect_fast", "push_projected", 128, {169, 64, 65, 67}},  // 69
-    {"intersect_fast", "ending", 48, {38}},  // 70
-    {"intersect_fast", "as_cell", 128, {168, 175, 36}},  // 71
-    {"mirror", "mirrored", 112, {166, 174, 180}},  // 72
-    {"next_after", "next_after", 432, {74, 51, 34, 76, 77, 78, 37, 53}},  // 73
-    {"next_after", "Cell::Cell", 8, {}},  // 74
-    {"next_after", "CellPath::make_again", 688, {28, 97, 74, 47, 33, 36, 37, 53, 79}},  // 75
-    {"next_after", "CellPath::up", 48, {47, 75, 79}},  // 76
-    {"next_after", "CellPath::down", 368, {28, 97, 74, 43, 33, 36, 53}},  // 77
-    {"next_after", "CellPath::start", 32, {31, 33}},  // 78
-    {"next_after", "CellWord::get", 8, {}},  // 79
-    {"oriented", "along_axes", 64, {174}},  // 80
-    {"oriented", "clip_to_slab", 8, {}},  // 81
-    {"oriented", "decisive_face", 8, {}},  // 82
-    {"oriented", "oriented_normal", 128, {82, 84, 86}},  // 83
-    {"oriented", "to_oriented_box", 96, {80, 168, 169, 179}},  // 84
-    {"oriented", "intersect_oriented", 80, {81, 84}},  // 85
-    {"oriented", "oriented_normal (part)", 32, {169}},  // 86
-    {"orthographic", "orthographic_ray", 32, {166, 169}},  // 87
-    {"perspective", "perspective_ray", 16, {180}},  // 88
-    {"pixel_program", "read_frame_constants", 32, {169}},  // 89
-    {"plane", "nearest_plane", 96, {169, 174}},  // 90
-    {"plane", "plane_surface", 144, {113, 169, 174, 178, 116}},  // 91
-    {"point_light", "facing_point_light", 944, {28, 100, 168, 169, 97, 31, 32, 102, 93, 94, 104, 175, 57, 177, 35, 36, 37, 53, 95}},  // 92
-    {"point_light", "direction_to_point_light", 80, {179, 180}},  // 93
-    {"point_light", "Cell::Cell", 8, {}},  // 94
-    {"point_light", "AddPointLight::operator", 96, {30, 93, 57, 105, 178}},  // 95
-    {"polar", "jacobi_rotate", 8, {}},  // 96
-    {"polar", "complete_child", 144, {168, 177}},  // 97
-    {"polar", "largest_singular_value", 128, {96, 174, 175}},  // 98
-    {"shade", "surface_at", 112, {102, 104, 180, 106}},  // 99
-    {"shade", "cell_normal", 96, {101, 172, 180}},  // 100
-    {"shade", "volume_normal", 8, {0, 6, 55, 110, 26, 83}},  // 101
-    {"shade", "outermost_diameter", 368, {30, 31, 103}},  // 102
-    {"shade", "Cell::Cell", 8, {}},  // 103
-    {"shade", "blend", 112, {166, 169, 175}},  // 104
-    {"shade", "PathSum::add", 48, {166}},  // 105
-    {"shade", "walk_path", 896, {28, 100, 168, 169, 97, 31, 32, 103, 104, 177, 35, 36, 37, 53, 107}},  // 106
-    {"shade", "AddNormal::operator", 48, {30, 105}},  // 107
-    {"shadow", "search_to_light", 8, {}},  // 108
-    {"shadow_point", "search_from_light", 80, {174, 179, 180}},  // 109
-    {"sphere", "sphere_normal", 96, {166, 169, 179}},  // 110
-    {"sphere", "intersect_sphere", 112, {169, 174, 179}},  // 111
-    {"texture", "in_repeats", 48, {174}},  // 112
-    {"texture", "layer_color", 192, {166, 112, 169, 114, 179}},  // 113
-    {"texture", "texture_color", 48, {131, 119, 169, 123, 117}},  // 114
-    {"texture", "place_of", 8, {}},  // 115
-    {"texture", "footprint", 96, {166, 174, 175, 180}},  // 116
-    {"texture", "is_beyond (part)", 8, {}},  // 117
-    {"texture_image", "neighbours", 8, {}},  // 118
-    {"texture_image", "image_color", 128, {120, 121, 175, 115}},  // 119
-    {"texture_image", "image_level", 208, {118, 121, 122}},  // 120
-    {"texture_image", "mix", 96, {166, 179}},  // 121
-    {"texture_image", "texel", 8, {}},  // 122
-    {"texture_inclusion", "inclusion_color", 96, {166, 169, 125, 179}},  // 123
-    {"texture_inclusion", "largest_stretch", 8, {}},  // 124
-    {"texture_inclusion", "inclusion_coverage", 1552, {126, 127, 115, 128, 129}},  // 125
-    {"texture_inclusion", "outermost_point_cell", 48, {127, 129}},  // 126
-    {"texture_inclusion", "times", 8, {}},  // 127
-    {"texture_inclusion", "Inclusion::is_open", 96, {124, 127, 129}},  // 128
-    {"texture_inclusion", "read_vec2", 8, {}},  // 129
-    {"texture_wood", "pxm::floor_integer", 8, {}},  // 130
-    {"texture_wood", "wood_color", 192, {166, 169, 133, 134, 175, 115, 137, 179}},  // 131
-    {"texture_wood", "ring_darkness", 48, {130}},  // 132
-    {"texture_wood", "board_darkness", 48, {135, 136}},  // 133
-    {"texture_wood", "share_in_stripes", 48, {138}},  // 134
-    {"texture_wood", "noise", 112, {130, 139}},  // 135
-    {"texture_wood", "rings_at", 48, {132, 135}},  // 136
-    {"texture_wood", "scramble", 8, {}},  // 137
-    {"texture_wood", "share_in_stripes (part)", 32, {130}},  // 138
-    {"texture_wood", "noise (part)", 16, {137}},  // 139
-    {"trace", "PixelStore::byte", 8, {}},  // 140
-    {"trace", "render_pixel", 688, {166, 99, 90, 91, 68, 143, 144, 5, 38, 178, 62, 53}},  // 141
-    {"trace", "pixel_program", 976, {140, 141, 89, 50}},  // 142
-    {"trace", "Tracer::shade", 128, {166, 169, 92, 57}},  // 143
-    {"trace", "Tracer::is_most", 8, {}},  // 144
-    {"trace_all", "PixelStore::byte", 8, {}},  // 145
-    {"trace_all", "Tracer::shade (part)", 256, {166, 169, 11, 108, 109, 92, 151, 57}},  // 146
-    {"trace_all", "render_pixel", 3440, {149, 150, 5}},  // 147
-    {"trace_all", "pixel_program", 976, {145, 147, 89, 149, 50}},  // 148
-    {"trace_all", "Cell::Cell", 8, {}},  // 149
-    {"trace_all", "Tracer::look_along", 128, {166, 91, 151, 152, 153, 154, 178}},  // 150
-    {"trace_all", "Tracer::meets_plane", 8, {90}},  // 151
-    {"trace_all", "Tracer::look_through_covers", 560, {99, 10, 149, 153, 154, 38, 178, 53}},  // 152
-    {"trace_all", "Tracer::shade", 160, {166, 146, 72}},  // 153
-    {"trace_all", "Tracer::is_most", 8, {}},  // 154
-    {"trace_rays", "PixelStore::byte", 8, {}},  // 155
-    {"trace_rays", "first_cell", 16, {68, 62}},  // 156
-    {"trace_rays", "Tracer::shade (part)", 144, {166, 169, 92, 161, 57}},  // 157
-    {"trace_rays", "render_pixel", 848, {160, 5}},  // 158
-    {"trace_rays", "pixel_program", 976, {155, 158, 89, 50}},  // 159
-    {"trace_rays", "Tracer::look_along", 128, {166, 91, 162, 163, 164, 165, 178}},  // 160
-    {"trace_rays", "Tracer::light_share", 480, {156, 169, 108, 109, 162}},  // 161
-    {"trace_rays", "Tracer::meets_plane", 8, {90}},  // 162
-    {"trace_rays", "Tracer::look_at_first", 496, {156, 99, 164, 165, 38, 178, 53}},  // 163
-    {"trace_rays", "Tracer::shade", 160, {166, 157, 72}},  // 164
-    {"trace_rays", "Tracer::is_most", 8, {}},  // 165
-    {"vectors", "add_scaled", 8, {}},  // 166
-    {"vectors", "read_affine", 96, {168, 169}},  // 167
-    {"vectors", "read_linear", 32, {169}},  // 168
-    {"vectors", "read_vector", 8, {}},  // 169
-    {"vectors", "transform_ray", 48, {171, 173}},  // 170
-    {"vectors", "transform_point", 8, {}},  // 171
-    {"vectors", "transform_normal", 64, {174}},  // 172
-    {"vectors", "transform_direction", 8, {}},  // 173
-    {"vectors", "dot", 8, {}},  // 174
-    {"vectors", "scale", 8, {}},  // 175
-    {"vectors", "rebase", 80, {166, 174, 179}},  // 176
-    {"vectors", "compose", 48, {173}},  // 177
-    {"vectors", "point_at", 8, {166}},  // 178
-    {"vectors", "subtract", 8, {}},  // 179
-    {"vectors", "normalize", 64, {174, 175}},  // 180
+    {"beam", "reach_in_beam", 96, {202, 212, 12, 13}},  // 0
+    {"beam", "center_in_beam", 96, {199, 202, 206}},  // 1
+    {"beam", "Beam::ray_through", 64, {199, 206, 213}},  // 2
+    {"beam", "Beam::places_around", 112, {14}},  // 3
+    {"beam", "Beam::places_inside", 256, {199, 202, 45, 47, 205, 207, 9, 10, 208, 209, 53}},  // 4
+    {"beam", "Beam::columns_before", 8, {}},  // 5
+    {"beam", "Beam::look", 864, {201, 202, 44, 0, 1, 205, 206, 3, 4, 7, 8, 11, 57, 59, 49, 210, 53, 212}},  // 6
+    {"beam", "Beam::meet", 80, {0, 1, 3, 53}},  // 7
+    {"beam", "Beam::show", 96, {199, 10, 208, 68}},  // 8
+    {"beam", "Beam::cross", 8, {}},  // 9
+    {"beam", "Beam::place", 8, {}},  // 10
+    {"beam", "Cell::Cell", 8, {}},  // 11
+    {"beam", "reach_in_beam (part)", 48, {207}},  // 12
+    {"beam", "reach_in_beam (part)", 8, {}},  // 13
+    {"beam", "Beam::places_around (part)", 64, {5}},  // 14
+    {"box", "box_normal", 128, {202, 17, 19}},  // 15
+    {"box", "clip_to_slab", 8, {}},  // 16
+    {"box", "decisive_face", 8, {}},  // 17
+    {"box", "intersect_box", 112, {202, 16}},  // 18
+    {"box", "box_normal (part)", 8, {}},  // 19
+    {"camera", "eye_ray", 96, {199, 202, 104, 103}},  // 20
+    {"cone", "cone_normal", 128, {199, 202, 22, 207, 212}},  // 21
+    {"cone", "clip_to_mantle", 8, {}},  // 22
+    {"cone", "intersect_cone", 80, {202, 22, 212}},  // 23
+    {"covers", "next_after", 432, {32, 34, 92, 93, 94, 52, 68}},  // 24
+    {"covers", "covers_along", 768, {73, 24, 32, 68, 35, 38}},  // 25
+    {"covers", "covers_along", 768, {73, 24, 32, 68, 36, 39}},  // 26
+    {"covers", "MissedChildren::shown", 8, {}},  // 27
+    {"covers", "MissedChildren::missed", 80, {202, 45, 113, 207, 51, 212}},  // 28
+    {"covers", "cover_children", 464, {43, 27, 28, 113, 32, 59, 48, 51}},  // 29
+    {"covers", "CoverRule::operator (part)", 464, {43, 27, 28, 113, 32, 48, 51}},  // 30
+    {"covers", "shrunk_for_covers", 96, {199, 202, 208, 53, 212}},  // 31
+    {"covers", "Cell::Cell", 8, {}},  // 32
+    {"covers", "ending", 48, {44}},  // 33
+    {"covers", "look_at", 80, {45, 30, 66, 49, 53, 68}},  // 34
+    {"covers", "walk_heap", 128, {75, 45, 29, 57, 33, 53, 37, 38}},  // 35
+    {"covers", "walk_heap", 128, {75, 45, 29, 57, 33, 53, 39}},  // 36
+    {"covers", "CollectCovers::operator", 32, {68}},  // 37
+    {"covers", "CoverWalk::tell", 32, {66, 37}},  // 38
+    {"covers", "CoverWalk::tell", 32, {66}},  // 39
+    {"cylinder", "within_mantle", 8, {}},  // 40
+    {"cylinder", "cylinder_normal", 128, {199, 202, 40, 212}},  // 41
+    {"cylinder", "intersect_cylinder", 96, {202, 40, 212}},  // 42
+    {"descend", "child_cell", 144, {200, 203, 55}},  // 43
+    {"descend", "at_last_level", 8, {}},  // 44
+    {"descend", "cell_diameter", 32, {114}},  // 45
+    {"descend", "outermost_cell", 176, {200, 201, 203, 51}},  // 46
+    {"descend", "intersect_volume", 8, {18, 23, 71, 127, 42, 101}},  // 47
+    {"descend", "meet", 112, {44, 47, 31, 50}},  // 48
+    {"descend", "ending", 48, {44, 45, 53}},  // 49
+    {"descend", "approach", 80, {202, 209}},  // 50
+    {"descend", "is_polar", 8, {}},  // 51
+    {"descend", "map_from", 8, {}},  // 52
+    {"descend", "pixel_at", 8, {}},  // 53
+    {"flatness", "undo_squash", 80, {199, 207, 212}},  // 54
+    {"flatness", "keep_thickness", 208, {201, 202, 54, 206, 207, 51, 53, 213}},  // 55
+    {"heap", "cell_words", 8, {}},  // 56
+    {"heap", "Heap::pop", 16, {60, 62, 64}},  // 57
+    {"heap", "Heap::keep", 8, {67}},  // 58
+    {"heap", "Heap::push", 80, {58, 61, 63, 66, 67}},  // 59
+    {"heap", "Heap::swap", 8, {}},  // 60
+    {"heap", "Heap::entry", 8, {}},  // 61
+    {"heap", "Heap::fetch", 8, {67}},  // 62
+    {"heap", "Heap::sift_up", 48, {60, 61, 66}},  // 63
+    {"heap", "Heap::sift_down", 80, {60, 61, 66}},  // 64
+    {"heap", "Heap::Heap", 8, {}},  // 65
+    {"heap", "before", 8, {}},  // 66
+    {"heap", "copy_cell", 32, {56}},  // 67
+    {"heap", "move_cell", 8, {67}},  // 68
+    {"hull", "cross_plane", 80, {202, 207}},  // 69
+    {"hull", "hull_normal", 128, {69, 202, 212}},  // 70
+    {"hull", "intersect_hull", 112, {69, 202, 212}},  // 71
+    {"illuminate", "facing", 16, {207}},  // 72
+    {"intersect", "count_heap", 8, {}},  // 73
+    {"intersect", "first_cell", 16, {84, 78}},  // 74
+    {"intersect", "push_objects", 384, {46, 77, 59, 48}},  // 75
+    {"intersect", "push_children", 416, {43, 113, 77, 59, 48, 51}},  // 76
+    {"intersect", "Cell::Cell", 8, {}},  // 77
+    {"intersect", "intersect", 112, {73, 89, 75, 76, 77, 57, 49}},  // 78
+    {"intersect_fast", "project_ray", 192, {200, 202, 203, 207, 209, 212, 213}},  // 79
+    {"intersect_fast", "include_point", 8, {}},  // 80
+    {"intersect_fast", "project_child", 128, {199, 202, 207, 212}},  // 81
+    {"intersect_fast", "search_object", 416, {79, 80, 83, 85, 86, 87}},  // 82
+    {"intersect_fast", "ProjectedStack::push", 16, {}},  // 83
+    {"intersect_fast", "intersect_fast", 416, {82, 78}},  // 84
+    {"intersect_fast", "push_projected", 128, {202, 80, 81, 83}},  // 85
+    {"intersect_fast", "ending", 48, {53}},  // 86
+    {"intersect_fast", "as_cell", 128, {201, 208, 51}},  // 87
+    {"mirror", "mirrored", 112, {199, 207, 213}},  // 88
+    {"next_after", "next_after", 432, {90, 66, 49, 92, 93, 94, 52, 68}},  // 89
+    {"next_after", "Cell::Cell", 8, {}},  // 90
+    {"next_after", "CellPath::make_again", 688, {43, 113, 90, 62, 48, 51, 52, 68, 95}},  // 91
+    {"next_after", "CellPath::up", 48, {62, 91, 95}},  // 92
+    {"next_after", "CellPath::down", 368, {43, 113, 90, 58, 48, 51, 68}},  // 93
+    {"next_after", "CellPath::start", 32, {46, 48}},  // 94
+    {"next_after", "CellWord::get", 8, {}},  // 95
+    {"oriented", "along_axes", 64, {207}},  // 96
+    {"oriented", "clip_to_slab", 8, {}},  // 97
+    {"oriented", "decisive_face", 8, {}},  // 98
+    {"oriented", "oriented_normal", 128, {98, 100, 102}},  // 99
+    {"oriented", "to_oriented_box", 96, {96, 201, 202, 212}},  // 100
+    {"oriented", "intersect_oriented", 80, {97, 100}},  // 101
+    {"oriented", "oriented_normal (part)", 32, {202}},  // 102
+    {"orthographic", "orthographic_ray", 32, {199, 202}},  // 103
+    {"perspective", "perspective_ray", 16, {213}},  // 104
+    {"pixel_program", "read_frame_constants", 32, {202}},  // 105
+    {"plane", "nearest_plane", 96, {202, 207}},  // 106
+    {"plane", "plane_surface", 144, {129, 202, 207, 211, 132}},  // 107
+    {"point_light", "facing_point_light", 944, {43, 116, 201, 202, 113, 46, 47, 118, 109, 110, 120, 208, 72, 210, 50, 51, 52, 68, 111}},  // 108
+    {"point_light", "direction_to_point_light", 80, {212, 213}},  // 109
+    {"point_light", "Cell::Cell", 8, {}},  // 110
+    {"point_light", "AddPointLight::operator", 96, {45, 109, 72, 121, 211}},  // 111
+    {"polar", "jacobi_rotate", 8, {}},  // 112
+    {"polar", "complete_child", 144, {201, 210}},  // 113
+    {"polar", "largest_singular_value", 128, {112, 207, 208}},  // 114
+    {"shade", "surface_at", 112, {118, 120, 213, 122}},  // 115
+    {"shade", "cell_normal", 96, {117, 205, 213}},  // 116
+    {"shade", "volume_normal", 8, {15, 21, 70, 126, 41, 99}},  // 117
+    {"shade", "outermost_diameter", 368, {45, 46, 119}},  // 118
+    {"shade", "Cell::Cell", 8, {}},  // 119
+    {"shade", "blend", 112, {199, 202, 208}},  // 120
+    {"shade", "PathSum::add", 48, {199}},  // 121
+    {"shade", "walk_path", 896, {43, 116, 201, 202, 113, 46, 47, 119, 120, 210, 50, 51, 52, 68, 123}},  // 122
+    {"shade", "AddNormal::operator", 48, {45, 121}},  // 123
+    {"shadow", "search_to_light", 8, {}},  // 124
+    {"shadow_point", "search_from_light", 80, {207, 212, 213}},  // 125
+    {"sphere", "sphere_normal", 96, {199, 202, 212}},  // 126
+    {"sphere", "intersect_sphere", 112, {202, 207, 212}},  // 127
+    {"texture", "in_repeats", 48, {207}},  // 128
+    {"texture", "layer_color", 192, {199, 128, 202, 130, 212}},  // 129
+    {"texture", "texture_color", 48, {147, 135, 202, 139, 133}},  // 130
+    {"texture", "place_of", 8, {}},  // 131
+    {"texture", "footprint", 96, {199, 207, 208, 213}},  // 132
+    {"texture", "is_beyond (part)", 8, {}},  // 133
+    {"texture_image", "neighbours", 8, {}},  // 134
+    {"texture_image", "image_color", 128, {136, 137, 208, 131}},  // 135
+    {"texture_image", "image_level", 208, {134, 137, 138}},  // 136
+    {"texture_image", "mix", 96, {199, 212}},  // 137
+    {"texture_image", "texel", 8, {}},  // 138
+    {"texture_inclusion", "inclusion_color", 96, {199, 202, 141, 212}},  // 139
+    {"texture_inclusion", "largest_stretch", 8, {}},  // 140
+    {"texture_inclusion", "inclusion_coverage", 1552, {142, 143, 131, 144, 145}},  // 141
+    {"texture_inclusion", "outermost_point_cell", 48, {143, 145}},  // 142
+    {"texture_inclusion", "times", 8, {}},  // 143
+    {"texture_inclusion", "Inclusion::is_open", 96, {140, 143, 145}},  // 144
+    {"texture_inclusion", "read_vec2", 8, {}},  // 145
+    {"texture_wood", "pxm::floor_integer", 8, {}},  // 146
+    {"texture_wood", "wood_color", 192, {199, 202, 149, 150, 208, 131, 153, 212}},  // 147
+    {"texture_wood", "ring_darkness", 48, {146}},  // 148
+    {"texture_wood", "board_darkness", 48, {151, 152}},  // 149
+    {"texture_wood", "share_in_stripes", 48, {154}},  // 150
+    {"texture_wood", "noise", 112, {146, 155}},  // 151
+    {"texture_wood", "rings_at", 48, {148, 151}},  // 152
+    {"texture_wood", "scramble", 8, {}},  // 153
+    {"texture_wood", "share_in_stripes (part)", 32, {146}},  // 154
+    {"texture_wood", "noise (part)", 16, {153}},  // 155
+    {"trace", "PixelStore::byte", 8, {}},  // 156
+    {"trace", "render_pixel", 688, {199, 74, 115, 106, 107, 159, 160, 20, 53, 211, 68}},  // 157
+    {"trace", "pixel_program", 976, {156, 157, 105, 65}},  // 158
+    {"trace", "Tracer::shade", 128, {199, 202, 108, 72}},  // 159
+    {"trace", "Tracer::is_most", 8, {}},  // 160
+    {"trace_all", "PixelStore::byte", 8, {}},  // 161
+    {"trace_all", "Tracer::shade (part)", 256, {199, 202, 26, 124, 125, 108, 167, 72}},  // 162
+    {"trace_all", "render_pixel", 3440, {165, 166, 20}},  // 163
+    {"trace_all", "pixel_program", 976, {161, 163, 105, 165, 65}},  // 164
+    {"trace_all", "Cell::Cell", 8, {}},  // 165
+    {"trace_all", "Tracer::look_along", 128, {199, 107, 167, 168, 169, 170, 211}},  // 166
+    {"trace_all", "Tracer::meets_plane", 8, {106}},  // 167
+    {"trace_all", "Tracer::look_through_covers", 560, {115, 25, 165, 169, 170, 53, 211, 68}},  // 168
+    {"trace_all", "Tracer::shade", 160, {199, 162, 88}},  // 169
+    {"trace_all", "Tracer::is_most", 8, {}},  // 170
+    {"trace_area", "PixelStore::byte", 8, {}},  // 171
+    {"trace_area", "beam_frame", 96, {199, 202, 207, 213}},  // 172
+    {"trace_area", "Tracer::shade (part)", 144, {199, 202, 108, 181, 72}},  // 173
+    {"trace_area", "render_pixel", 4832, {178, 179, 20}},  // 174
+    {"trace_area", "pixel_program", 976, {171, 174, 105, 178, 65}},  // 175
+    {"trace_area", "Beam::place", 8, {}},  // 176
+    {"trace_area", "Beam::Beam", 32, {172}},  // 177
+    {"trace_area", "Cell::Cell", 8, {}},  // 178
+    {"trace_area", "Tracer::look_along", 48, {199, 180, 182, 184, 185}},  // 179
+    {"trace_area", "Tracer::show_plane", 128, {107, 183, 187, 188, 211}},  // 180
+    {"trace_area", "Tracer::light_share", 480, {74, 202, 124, 125, 182}},  // 181
+    {"trace_area", "Tracer::meets_plane", 8, {106}},  // 182
+    {"trace_area", "Tracer::plane_color", 368, {199, 106, 107, 2, 176, 177, 208}},  // 183
+    {"trace_area", "Tracer::look_at_first", 368, {74, 186}},  // 184
+    {"trace_area", "Tracer::look_over_area", 384, {73, 2, 6, 176, 177, 184, 186}},  // 185
+    {"trace_area", "Tracer::show", 160, {115, 187, 188, 53, 211, 68}},  // 186
+    {"trace_area", "Tracer::shade", 160, {199, 173, 88}},  // 187
+    {"trace_area", "Tracer::is_most", 8, {}},  // 188
+    {"trace_rays", "PixelStore::byte", 8, {}},  // 189
+    {"trace_rays", "Tracer::shade (part)", 144, {199, 202, 108, 194, 72}},  // 190
+    {"trace_rays", "render_pixel", 848, {193, 20}},  // 191
+    {"trace_rays", "pixel_program", 976, {189, 191, 105, 65}},  // 192
+    {"trace_rays", "Tracer::look_along", 128, {199, 107, 195, 196, 197, 198, 211}},  // 193
+    {"trace_rays", "Tracer::light_share", 480, {74, 202, 124, 125, 195}},  // 194
+    {"trace_rays", "Tracer::meets_plane", 8, {106}},  // 195
+    {"trace_rays", "Tracer::look_at_first", 496, {74, 115, 197, 198, 53, 211, 68}},  // 196
+    {"trace_rays", "Tracer::shade", 160, {199, 190, 88}},  // 197
+    {"trace_rays", "Tracer::is_most", 8, {}},  // 198
+    {"vectors", "add_scaled", 8, {}},  // 199
+    {"vectors", "read_affine", 96, {201, 202}},  // 200
+    {"vectors", "read_linear", 32, {202}},  // 201
+    {"vectors", "read_vector", 8, {}},  // 202
+    {"vectors", "transform_ray", 48, {204, 206}},  // 203
+    {"vectors", "transform_point", 8, {}},  // 204
+    {"vectors", "transform_normal", 64, {207}},  // 205
+    {"vectors", "transform_direction", 8, {}},  // 206
+    {"vectors", "dot", 8, {}},  // 207
+    {"vectors", "scale", 8, {}},  // 208
+    {"vectors", "rebase", 80, {199, 207, 212}},  // 209
+    {"vectors", "compose", 48, {206}},  // 210
+    {"vectors", "point_at", 8, {199}},  // 211
+    {"vectors", "subtract", 8, {}},  // 212
+    {"vectors", "normalize", 64, {207, 208}},  // 213
 };
 // clang-format on
 

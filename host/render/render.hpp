@@ -19,7 +19,7 @@ struct SceneOverrides {
     std::optional<long> levels;
     double zoom = 1;
     std::optional<Shading> shading;
-    std::optional<std::variant<CoversOff, Covers>> covers;
+    std::optional<CoversChoice> covers;
     std::optional<long> samples;
     std::optional<IntersectMethod> intersect;
     std::optional<Numeric> numeric;

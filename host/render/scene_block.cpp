@@ -118,13 +118,15 @@ void write_inverse(BlockWriter<long double>& block, std::uint32_t address, const
 
 /// Writes a shape's maps and follow sets; returns the addresses of the sets.
 template <class Real>
-std::vector<std::uint32_t> write_shape(BlockWriter<Real>& block, const CompiledShape& shape) {
+std::vector<std::uint32_t> write_shape(BlockWriter<Real>& block, const CompiledShape& shape,
+                                       bool area) {
     using Map = kernels::MapRecord<real_words<Real>>;
     using FollowSet = kernels::FollowSetRecord<real_words<Real>>;
     const std::uint32_t maps = block.grow(shape.maps.size() * Map::words);
     std::vector<std::uint32_t> sets;
     for (const CompiledSet& set : shape.sets) {
-        const std::uint32_t address = block.grow(FollowSet::words + set.maps.size());
+        const std::uint32_t address =
+            block.grow(FollowSet::words + set.maps.size() + (area ? real_words<Real> : 0));
         sets.push_back(address);
         block.integer(address + FollowSet::map_count, static_cast<std::uint32_t>(set.maps.size()));
         write_volume(block, address, set.volume);
@@ -132,6 +134,7 @@ std::vector<std::uint32_t> write_shape(BlockWriter<Real>& block, const CompiledS
         for (const int map : set.maps) {
             block.integer(entry++, maps + static_cast<std::uint32_t>(map) * Map::words);
         }
+        if (area) block.real(entry, set.coverage);
     }
     for (std::size_t i = 0; i < shape.maps.size(); ++i) {
         const CompiledMap& map = shape.maps[i];
@@ -228,6 +231,48 @@ void write_samples(BlockWriter<Real>& block, const CompiledScene& scene) {
     }
 }
 
+/// Which places are in the first 0, 1, ... count columns, or rows, of a pixel.
+template <class Real>
+void write_masks(BlockWriter<Real>& block, std::uint32_t address,
+                 const std::vector<glm::dvec2>& places, int axis) {
+    const auto count = static_cast<double>(places.size());
+    for (std::size_t lines = 0; lines <= places.size(); ++lines) {
+        std::uint32_t mask = 0;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (places[i][axis] * count < static_cast<double>(lines)) mask |= 1U << i;
+        }
+        block.integer(address++, mask);
+    }
+}
+
+/// The eye's ray is the first of the places; what a beam knows of all of them follows it.
+template <class Real>
+void write_beam(BlockWriter<Real>& block, const CompiledScene& scene) {
+    constexpr std::uint32_t R = real_words<Real>;
+    using Header = kernels::HeaderRecord<R>;
+    using Beam = kernels::BeamRecord<R>;
+    const std::vector<glm::dvec2>& places = scene.samples;
+    const auto count = static_cast<std::uint32_t>(places.size());
+    const std::uint32_t first = block.grow(2 * R + Beam::words + 2 * (count + 1) + 2 * R * count);
+    block.integer(Header::samples, first);
+    block.integer(Header::sample_count, 1);
+    block.real(Header::sample_share, 1);
+    block.real(first, places[0].x);
+    block.real(first + R, places[0].y);
+    const std::uint32_t beam = first + 2 * R;
+    block.integer(beam + Beam::count, count);
+    block.integer(beam + Beam::first_column, static_cast<std::uint32_t>(places[0].x * count));
+    block.integer(beam + Beam::first_row, static_cast<std::uint32_t>(places[0].y * count));
+    write_masks(block, beam + Beam::columns, places, 0);
+    write_masks(block, beam + Beam::columns + count + 1, places, 1);
+    std::uint32_t address = beam + Beam::columns + 2 * (count + 1);
+    for (const glm::dvec2& place : places) {
+        block.real(address, place.x);
+        block.real(address + R, place.y);
+        address += 2 * R;
+    }
+}
+
 }  // namespace
 
 template <class Real>
@@ -246,7 +291,9 @@ std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
     block.integer(Header::objects, object_address);
     block.integer(Header::object_count, static_cast<std::uint32_t>(scene.objects.size()));
     std::vector<std::vector<std::uint32_t>> sets;
-    for (const CompiledShape& shape : scene.shapes) sets.push_back(write_shape(block, shape));
+    for (const CompiledShape& shape : scene.shapes) {
+        sets.push_back(write_shape(block, shape, scene.area));
+    }
     const std::vector<std::uint32_t> enclosures = write_enclosures(block, scene.enclosures);
     for (const CompiledObject& object : scene.objects) {
         const auto shape = static_cast<std::size_t>(object.shape);
@@ -257,7 +304,11 @@ std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
     }
     write_lights(block, scene);
     write_floor(block, scene);
-    write_samples(block, scene);
+    if (scene.area) {
+        write_beam(block, scene);
+    } else {
+        write_samples(block, scene);
+    }
     return block.take();
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "host/fractal/lipschitz.hpp"
 #include "host/fractal/short_by.hpp"
 #include "host/render/bounding_volume.hpp"
 #include "host/render/computed_volume.hpp"
@@ -17,8 +18,9 @@ namespace pxm::host {
 namespace {
 
 constexpr double dear = 300;             // tests a ray: a reason to try more than spheres and boxes
+constexpr double sheet = 1.0 / 20;       // of a map's widest: how much thinner is a sheet
 constexpr double clearly_cheaper = 0.5;  // oriented boxes and hulls: else spheres and boxes stay
-constexpr double hopeless = 5000;        // tests a ray, where ...
+constexpr double hopeless = 3000;        // tests a ray, where ...
 constexpr double much_dearer = 2;        // ... computed volumes need so many times fewer
 
 using Volumes = std::vector<CompiledVolume>;
@@ -62,6 +64,7 @@ class Choice {
         // missed.
         if (is_flat(bounds_[start_].box)) return best;
         double least = cost(best);
+        if (least < dear && has_sheets()) return best;
         const auto try_kind = [&](kernels::Volume kind) {
             Volumes volumes = of_kind(kind);
             const double needed = cost(volumes);
@@ -88,12 +91,21 @@ class Choice {
     }
 
     [[nodiscard]] double cost(const Volumes& volumes) const {
-        const ShapeFrame frame = frame_around(bounds_[start_].ball);
+        const Ball& ball = bounds_[start_].ball;
+        // The unit ball itself, unlike frame_around: costs must not depend on the scene's lengths.
+        const ShapeFrame frame{ball.center, ball.radius > 0 ? ball.radius : 1};
         const auto method = choose_lipschitz(LipschitzMethod::automatic, rifs_);
         return trial_cost(make_shape(rifs_, volumes, frame, method), levels_);
     }
 
   private:
+    /// Whether a map makes a sheet or a curve of what is inside.
+    [[nodiscard]] bool has_sheets() const {
+        return std::ranges::any_of(rifs_.maps, [](const Affine& map) {
+            return smallest_singular_value(map) < sheet * lipschitz_constant(map);
+        });
+    }
+
     const Rifs& rifs_;
     const std::vector<Bounds>& bounds_;
     VolumeComputer computer_;

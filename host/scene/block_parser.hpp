@@ -59,7 +59,7 @@ class BlockParser {
     void camera_directive(CameraBlock& camera, const Token& word);
     void image_directive(ImageBlock& image, const Token& word);
     void render_directive(RenderBlock& render, const Token& word);
-    std::variant<CoversOff, Covers> covers();
+    CoversChoice covers();
     /// Keeps the first of the blocks that a scene may have only once.
     template <class Block>
     void keep_first(std::optional<Block>& kept, const Block& block, std::string_view kind);

@@ -162,14 +162,19 @@ void BlockParser::render_directive(RenderBlock& render, const Token& word) {
     }
 }
 
-std::variant<CoversOff, Covers> BlockParser::covers() {
+CoversChoice BlockParser::covers() {
     const Token& next = tokens_.peek();
     if (next.is_word("on") || next.is_word("off")) {
         if (values_.word(switch_words)) return Covers{};
         return CoversOff{};
     }
-    if (next.kind == TokenKind::end || next.is('}')) tokens_.fail_expected("off, on or tmin,tmax");
-    const auto taus = values_.numbers<2>("'covers' takes off, on or tmin,tmax");
+    if (next.is_word("area")) {
+        (void)tokens_.take();
+        return AreaCovers{};
+    }
+    constexpr const char* choices = "off, on, area or tmin,tmax";
+    if (next.kind == TokenKind::end || next.is('}')) tokens_.fail_expected(choices);
+    const auto taus = values_.numbers<2>("'covers' takes off, on, area or tmin,tmax");
     return Covers{taus[0], taus[1]};
 }
 

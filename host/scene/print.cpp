@@ -87,6 +87,7 @@ struct SourceText {
 
 struct CoversText {
     std::string operator()(const CoversOff&) const { return "off"; }
+    std::string operator()(const AreaCovers&) const { return "area"; }
     std::string operator()(const Covers& c) const {
         return text_of(c.tau_min) + "," + text_of(c.tau_max);
     }

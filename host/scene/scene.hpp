@@ -246,12 +246,17 @@ struct Covers {
 struct CoversOff {
     bool operator==(const CoversOff&) const = default;
 };
+/// One search a pixel for what covers several places in it, instead of opacity by diameter.
+struct AreaCovers {
+    bool operator==(const AreaCovers&) const = default;
+};
+using CoversChoice = std::variant<CoversOff, Covers, AreaCovers>;
 
 struct RenderBlock {
     std::optional<glm::dvec3> ambient;
     std::optional<glm::dvec3> background;
     std::optional<Shading> shading;
-    std::optional<std::variant<CoversOff, Covers>> covers;
+    std::optional<CoversChoice> covers;
     std::optional<long> samples;
     std::optional<IntersectMethod> intersect;
     std::optional<Numeric> numeric;

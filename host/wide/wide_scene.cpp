@@ -152,7 +152,8 @@ ObjectMethod wide_method(const CompiledScene& scene, const CompiledObject& objec
 std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
     if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
-    if (needs_covers(scene)) return "local covers and translucent objects are the clear kernels'";
+    if (needs_covers(scene) || scene.area)
+        return "local covers and translucent objects are the clear kernels'";
     const bool some = std::ranges::any_of(scene.objects, [&](const CompiledObject& object) {
         return why_not(scene, object).empty();
     });

@@ -72,9 +72,10 @@ TEST_F(CommandLine, an_unknown_option_value_is_code_2_and_told_what_is_expected)
            "--lipschitz: found \"x\", expected one of auto, product, determinant, polar");
     refuse({"--volume", "cone"},
            "--volume: found \"cone\", expected one of auto, sphere, box, oriented, hull");
-    refuse({"--covers", "2,1"},
-           "--covers: found \"2,1\", expected on, off, or tmin,tmax in pixels with 0 < tmin < "
-           "tmax");
+    refuse(
+        {"--covers", "2,1"},
+        "--covers: found \"2,1\", expected on, off, area, or tmin,tmax in pixels with 0 < tmin < "
+        "tmax");
     refuse({"-o", "x.exr", "--aov", "Z,Q"},
            "--aov: found \"Q\", expected names out of Z node cycles volumes level heap alpha "
            "object word N, separated by commas");

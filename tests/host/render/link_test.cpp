@@ -142,6 +142,15 @@ TEST(Link, covers_take_another_tracer_and_their_module) {
     }
 }
 
+TEST(Link, covers_by_area_take_another_tracer_and_beams) {
+    const NodeProgram rays = linked(mirrored);
+    const NodeProgram area = linked(mirrored + "render { covers: area }");
+    EXPECT_EQ(added(rays, area), (Names{"trace_area", "beam"}));
+    EXPECT_EQ(added(area, rays), Names{"trace_rays"});
+    EXPECT_GT(area.stack_bytes, rays.stack_bytes);  // what a beam found is kept there
+    EXPECT_LE(area.used_bytes(), fast_memory_bytes);
+}
+
 TEST(Link, another_projection_replaces_the_module_of_the_first) {
     const NodeProgram perspective = linked(simple);
     const NodeProgram orthographic = linked(simple + "camera { orthographic: 3 }");

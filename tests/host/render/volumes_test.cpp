@@ -139,6 +139,35 @@ TEST(Volumes, chosen_freely_are_spheres_where_the_attractor_is_flat) {
     EXPECT_EQ(kind_of(compile_text(ifs("grass"))), Volume::box);
 }
 
+/// The same system in other coordinates: lengths `scale` times as long, moved by `shift`.
+Rifs moved(Rifs rifs, double scale, const glm::dvec3& shift) {
+    for (Affine& map : rifs.maps) {
+        map.translation = scale * map.translation + shift - map.direction(shift);
+    }
+    return rifs;
+}
+
+std::vector<Volume> chosen_kinds(const Rifs& rifs) {
+    Diagnostics diagnostics;
+    std::vector<Volume> kinds;
+    for (const CompiledVolume& volume : choose_volumes(
+             {}, VolumeKind::automatic, rifs, bound(rifs, prove_contraction(rifs)), diagnostics)) {
+        kinds.push_back(volume.kind);
+    }
+    return kinds;
+}
+
+TEST(Volumes, are_chosen_alike_however_large_the_attractor_is_and_wherever) {
+    for (const auto& [name, rifs] : systems::thesis_systems()) {
+        if (std::string(name) == "grass") continue;  // a test of its own: it takes long
+        const std::vector<Volume> kinds = chosen_kinds(rifs);
+        for (const double scale : {3.0, 1.4, 1e-20, 1e20}) {
+            EXPECT_EQ(chosen_kinds(moved(rifs, scale, {0, 0, 0})), kinds) << name << " " << scale;
+        }
+        EXPECT_EQ(chosen_kinds(moved(rifs, 1, {1e6, -1e6, 1e6})), kinds) << name;
+    }
+}
+
 TEST(Volumes, that_are_objects_are_what_they_are) {
     const CompiledScene scene = compile_text(
         "object a { sphere: (0,0,0) 1 } object b { box: (0,0,0)(1,2,3) } object c { cone } "
