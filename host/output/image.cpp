@@ -127,15 +127,25 @@ std::vector<float> floats_of(const Frame& rows, const std::vector<Aov>& aovs) {
     return values;
 }
 
-std::vector<unsigned char> bytes_of(const Frame& rows) {
-    std::vector<unsigned char> bytes(3 * rows.pixels.size());
-    for (std::size_t i = 0; i < rows.pixels.size(); ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const float value = srgb_from_linear(rows.pixels[i].color[k]) * 255.0F;
-            bytes[3 * i + k] = static_cast<unsigned char>(std::lround(value));
-        }
+std::array<unsigned char, 3> bytes_of(const float (&color)[3]) {
+    std::array<unsigned char, 3> bytes;
+    for (std::size_t k = 0; k < 3; ++k) {
+        bytes[k] = static_cast<unsigned char>(std::lround(srgb_from_linear(color[k]) * 255.0F));
     }
     return bytes;
+}
+
+std::vector<unsigned char> bytes_of(const Frame& rows) {
+    std::vector<unsigned char> all(3 * rows.pixels.size());
+    const float* last = nullptr;  // neighbours are often of one colour: the background's
+    std::array<unsigned char, 3> bytes{};
+    for (std::size_t i = 0; i < rows.pixels.size(); ++i) {
+        const auto& color = rows.pixels[i].color;
+        if (last == nullptr || !std::equal(color, color + 3, last)) bytes = bytes_of(color);
+        last = color;
+        std::ranges::copy(bytes, all.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    }
+    return all;
 }
 
 std::unique_ptr<OIIO::ImageInput> open_image(const std::string& path) {

@@ -68,8 +68,17 @@ void TileTracer::search_shadows(std::size_t light) {
         const int pixel = lanes_[static_cast<std::size_t>(place.lane)].pixel;
         sums_[static_cast<std::size_t>(pixel)].tested += found.tested;
         if (found.given_up) give_up(pixel);
-        if (found.start >= 0) place.seen.facing[light] = 0;
+        if (found.start >= 0 || (rest_ && is_in_shadow_of_rest(batch_[i], pixel))) {
+            place.seen.facing[light] = 0;
+        }
     }
+}
+
+bool TileTracer::is_in_shadow_of_rest(const LoneRay& ray, int pixel) {
+    const bool met = rest_->meets(ray, ray.end);
+    sums_[static_cast<std::size_t>(pixel)].tested += rest_->tested();
+    if (rest_->was_given_up()) give_up(pixel);
+    return met;
 }
 
 /// The light that a place sends back (Eq. 17.1).

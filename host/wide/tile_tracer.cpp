@@ -12,10 +12,6 @@ namespace pxm::host::wide {
 
 namespace {
 
-std::array<float, 3> floats(const kernels::Vec3<double>& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 /// Calls `each(bit)` for the bits that are set.
 template <class Each>
 void for_bits(std::uint64_t bits, const Each& each) {
@@ -24,7 +20,7 @@ void for_bits(std::uint64_t bits, const Each& each) {
 
 }  // namespace
 
-TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide,
+TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide, const ClearRest& rest,
                        const std::vector<std::uint32_t>& block, Frame& frame)
     : scene_(scene),
       wide_(wide),
@@ -37,8 +33,10 @@ TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide,
                                         []<kernels::Features features>() -> ClearPixel {
                                             return &kernels::render_pixel<features, Node>;
                                         })),
-      needs_rays_(!scene.planes.empty() || !needs_plain_features(scene)),
-      is_plain_(scene.planes.empty() && !needs_mirrors(scene) && scene.samples.size() == 1) {
+      needs_all_rays_(!scene.planes.empty() || !rest.block.empty()),
+      needs_rays_(needs_all_rays_ || !needs_plain_features(scene)),
+      is_plain_(!needs_all_rays_ && !needs_mirrors(scene) && scene.samples.size() == 1) {
+    if (!rest.block.empty()) rest_.emplace(rest);
     int widest = table_step;
     for (const WideSet& set : wide.sets) widest = std::max(widest, set.stride);
     work_.scratch = hwy::AllocateAligned<double>(static_cast<std::size_t>(widest) * 32);
@@ -65,7 +63,7 @@ void TileTracer::render_plainly() {
     search_bundle(wide_, work_);
     lit_count_ = 0;
     const std::uint64_t inside = work_.bundle.inside;  // shadows are a bundle of their own
-    const auto objects = static_cast<std::uint32_t>(scene_.objects.size());
+    const auto objects = static_cast<std::uint32_t>(wide_.objects.size());
     std::uint64_t tested = 0;
     for_bits(inside, [&](int i) {
         const Found& found = work_.found[static_cast<std::size_t>(i)];
@@ -115,7 +113,7 @@ void TileTracer::aim(std::size_t sample) {
         lane.share = share;
         lane.bounces_left = scene_.bounces;
         lane.floor.plane = 0;
-        if (!scene_.planes.empty()) lane.ray = eye_ray(pixel);
+        if (needs_all_rays_) lane.ray = eye_ray(pixel);
     });
 }
 
@@ -173,9 +171,11 @@ void TileTracer::see(Kind kind, int i) {
     const Lane& lane = lanes_[static_cast<std::size_t>(i)];
     const Found& found = work_.found[static_cast<std::size_t>(i)];
     PixelSum& sum = sums_[static_cast<std::size_t>(lane.pixel)];
-    sum.tested += static_cast<std::uint32_t>(scene_.objects.size()) + found.tested;
+    sum.tested += static_cast<std::uint32_t>(wide_.objects.size()) + found.tested;
     if (found.given_up) {
         give_up(lane.pixel);
+    } else if (rest_ && see_rest(kind, i)) {
+        return;
     } else if (found.start >= 0) {
         see_cell_in(kind, i);
     } else if (lane.floor.plane != 0) {
@@ -192,13 +192,14 @@ void TileTracer::see_cell_in(Kind kind, int i) {
     LitPlace& place = lit_[lit_count_];
     if (!see_cell(wide_, work_, i, place.seen)) return give_up(lane.pixel);
     ++lit_count_;
-    const bool wants_ray = needs_rays_ && scene_.planes.empty() && kind != Kind::mirror;
+    const bool wants_ray = needs_rays_ && !needs_all_rays_ && kind != Kind::mirror;
     if (wants_ray) lane.ray = eye_ray(lane.pixel);
     const WideObject& object = wide_.objects[static_cast<std::size_t>(place.seen.object)];
     const double t = length_at(i, place.seen.depth);
     place.lane = i;
     place.diffuse = object.diffuse;
     place.reflect = object.reflect;
+    place.seen.object = object.index;
     if (needs_rays_) {
         place.point = lane.ray.origin + t * lane.ray.direction;
         place.pixel =
@@ -206,6 +207,32 @@ void TileTracer::see_cell_in(Kind kind, int i) {
     }
     if (kind != Kind::mirror) sums_[static_cast<std::size_t>(lane.pixel)].opacity += lane.share;
     if (kind == Kind::first_sample) record_cell(place.seen, t, pixel_at(lane.pixel));
+}
+
+/// Looks for an object of the clear kernels in front of all else. False if there is none.
+bool TileTracer::see_rest(Kind kind, int i) {
+    const Lane& lane = lanes_[static_cast<std::size_t>(i)];
+    const Found& found = work_.found[static_cast<std::size_t>(i)];
+    PixelSum& sum = sums_[static_cast<std::size_t>(lane.pixel)];
+    double end = lane.floor.plane != 0 ? lane.floor.t : lane.ray.end;
+    if (found.start >= 0) end = std::min(end, length_at(i, found.depth));
+    const bool met = rest_->meets(lane.ray, end);
+    sum.tested += rest_->tested();
+    if (rest_->was_given_up()) {
+        give_up(lane.pixel);
+        return true;
+    }
+    if (!met) return false;
+    LitPlace& place = lit_[lit_count_++];
+    const ClearlySeen clear = rest_->see(place.seen);
+    place.lane = i;
+    place.diffuse = clear.diffuse;
+    place.reflect = clear.reflect;
+    place.point = lane.ray.origin + clear.t * lane.ray.direction;
+    place.pixel = clear.pixel;
+    if (kind != Kind::mirror) sum.opacity += lane.share;
+    if (kind == Kind::first_sample) record_cell(place.seen, clear.t, pixel_at(lane.pixel));
+    return true;
 }
 
 /// What is known of a pixel is of its first sample.
@@ -226,8 +253,8 @@ void TileTracer::see_plane(Kind kind, int i) {
     place.pixel = kernels::pixel_on_plane(node_, pixel, t);
     place.point = lane.ray.origin + t * lane.ray.direction;
     const auto surface = kernels::plane_surface(node_, to_node(lane.ray), place.pixel, lane.floor);
-    place.seen.color = floats(surface.color);
-    place.seen.normal = floats(surface.normal);
+    place.seen.color = to_floats(surface.color);
+    place.seen.normal = to_floats(surface.normal);
     place.diffuse = static_cast<float>(surface.diffuse);
     place.reflect = static_cast<float>(surface.reflect);
     place.seen.facing.resize(scene_.lights.size());

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "dsp_kernels/pixel_program.hpp"
@@ -15,6 +16,7 @@
 #include "host/render/native_node.hpp"
 #include "host/render/statistics.hpp"
 #include "host/wide/bundle_search.hpp"
+#include "host/wide/clear_rest.hpp"
 
 namespace pxm::host::wide {
 
@@ -22,7 +24,7 @@ namespace pxm::host::wide {
 class TileTracer {
   public:
     /// `block` is the scene block in double. All must outlive the tracer.
-    TileTracer(const CompiledScene& scene, const WideScene& wide,
+    TileTracer(const CompiledScene& scene, const WideScene& wide, const ClearRest& rest,
                const std::vector<std::uint32_t>& block, Frame& frame);
 
     /// Renders those of the tile's pixels that lie in the crop window.
@@ -77,10 +79,12 @@ class TileTracer {
     void meet_planes();
     void see(Kind kind, int lane);
     void see_cell_in(Kind kind, int lane);
+    [[nodiscard]] bool see_rest(Kind kind, int lane);
     void see_plane(Kind kind, int lane);
     void record_cell(const SeenCell& seen, double t, PixelRecord& pixel) const;
     void cast_shadows();
     [[nodiscard]] bool shadow_ray(const LitPlace& place, const CompiledLight& light, LoneRay& ray);
+    [[nodiscard]] bool is_in_shadow_of_rest(const LoneRay& ray, int pixel);
     void search_shadows(std::size_t light);
     [[nodiscard]] std::array<float, 3> color_of(const LitPlace& place) const;
     void add_light(const LitPlace& place);
@@ -104,8 +108,10 @@ class TileTracer {
     kernels::FrameConstants<double> constants_;
     kernels::PixelResult<double> result_;
     ClearPixel clear_pixel_;
-    bool needs_rays_;  // there are planes, shadows or mirrors
-    bool is_plain_;    // render_plainly() will do
+    bool needs_all_rays_;  // there are planes, or objects of the clear kernels
+    bool needs_rays_;      // there are planes, shadows or mirrors
+    bool is_plain_;        // render_plainly() will do
+    std::optional<ClearSearch> rest_;
     Workspace work_;
     long left_ = 0;  // of the tile
     long top_ = 0;

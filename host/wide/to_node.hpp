@@ -1,6 +1,7 @@
 // Between the host's vectors and the kernels'.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <limits>
 
@@ -9,6 +10,9 @@
 
 namespace pxm::host::wide {
 
+[[nodiscard]] inline std::array<float, 3> to_floats(const kernels::Vec3<double>& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
 inline constexpr double far_away = std::numeric_limits<double>::infinity();
 
 inline glm::dvec3 to_glm(const kernels::Vec3<double>& v) { return {v.x, v.y, v.z}; }

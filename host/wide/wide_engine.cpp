@@ -24,6 +24,7 @@ EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
     EngineResult result;
     const std::vector<std::uint32_t> block = make_scene_block<double>(scene);
     const WideScene wide = make_wide_scene(scene);
+    const ClearRest rest(scene, wide);
     result.frame = Frame(scene.size, scene.crop);
     result.scene_block_words = block.size();
     result.scene_block_hash = block_hash(block);
@@ -40,7 +41,7 @@ EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
 #pragma omp parallel num_threads(choice.threads)
     {
         try {
-            TileTracer tracer(scene, wide, block, result.frame);
+            TileTracer tracer(scene, wide, rest, block, result.frame);
 #pragma omp for schedule(dynamic, 4) nowait
             for (long tile = 0; tile < tiles; ++tile) {
                 if (control.stop && *control.stop) stopped = true;

@@ -103,7 +103,8 @@ bool squashes_much(const CompiledMap& map) {
 bool hardly_contracts(const CompiledMap& map) { return !(map.constant <= 0.985); }
 
 /// What of an object the wide engine cannot do, if anything.
-std::string why_not(const CompiledShape& shape) {
+std::string why_not(const CompiledScene& scene, const CompiledObject& object) {
+    const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
     if (shape.lifted) return "has singular maps, which were lifted";
     if (!std::ranges::all_of(shape.sets, is_ball_or_box, &CompiledSet::volume)) {
         return "has bounding volumes that are neither balls nor boxes";
@@ -116,37 +117,52 @@ std::string why_not(const CompiledShape& shape) {
     return "";
 }
 
+ObjectMethod wide_method(const CompiledScene& scene, const CompiledObject& object,
+                         const WideObject& wide) {
+    const std::size_t maps = scene.shapes[static_cast<std::size_t>(object.shape)].maps.size();
+    if (!wide.fixed_direction) {
+        return {object.name, "wide, composed maps", "maps that are no homotheties"};
+    }
+    if (wide.grid) return {object.name, "wide, grid walk", "homotheties to boxes in slices"};
+    if (maps * maps <= table_step) {
+        return {object.name, "wide, grandchildren", "few maps, all homotheties"};
+    }
+    return {object.name, "wide, children", "many maps, all homotheties"};
+}
+
 }  // namespace
 
 std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
     if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
     if (needs_covers(scene)) return "local covers and translucent objects are the clear kernels'";
-    for (const CompiledObject& object : scene.objects) {
-        const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
-        const std::string reason = why_not(shape);
-        if (!reason.empty()) return fmt::format("object \"{}\" {}", object.name, reason);
-    }
-    return "";
+    const bool some = std::ranges::any_of(scene.objects, [&](const CompiledObject& object) {
+        return why_not(scene, object).empty();
+    });
+    if (some) return "";
+    if (scene.objects.empty()) return "there is no object";
+    const CompiledObject& first = scene.objects.front();
+    return fmt::format("object \"{}\" {}", first.name, why_not(scene, first));
+}
+
+CompiledScene left_to_clear_kernels(const CompiledScene& scene) {
+    CompiledScene rest = scene;
+    std::erase_if(rest.objects,
+                  [&](const CompiledObject& object) { return why_not(scene, object).empty(); });
+    return rest;
 }
 
 std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
     const std::string reason = why_not_wide(scene, Numeric::single);
     std::vector<ObjectMethod> methods;
     const WideScene wide = reason.empty() ? make_wide_scene(scene) : WideScene{};
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const CompiledObject& object = scene.objects[i];
-        const std::size_t maps = scene.shapes[static_cast<std::size_t>(object.shape)].maps.size();
-        if (!reason.empty()) {
-            methods.push_back({object.name, "heap", reason});
-        } else if (!wide.objects[i].fixed_direction) {
-            methods.push_back({object.name, "wide, composed maps", "maps that are no homotheties"});
-        } else if (wide.objects[i].grid) {
-            methods.push_back({object.name, "wide, grid walk", "homotheties to boxes in slices"});
-        } else if (maps * maps <= table_step) {
-            methods.push_back({object.name, "wide, grandchildren", "few maps, all homotheties"});
+    std::size_t next = 0;  // of the wide scene's objects
+    for (const CompiledObject& object : scene.objects) {
+        const std::string own = why_not(scene, object);
+        if (!reason.empty() || !own.empty()) {
+            methods.push_back({object.name, "heap", own.empty() ? reason : "it " + own});
         } else {
-            methods.push_back({object.name, "wide, children", "many maps, all homotheties"});
+            methods.push_back(wide_method(scene, object, wide.objects[next++]));
         }
     }
     return methods;
@@ -163,17 +179,25 @@ WideScene make_wide_scene(const CompiledScene& scene) {
     wide.background = floats(scene.background);
     wide.lights = scene.lights;
     std::vector<int> first_sets;
-    for (const CompiledShape& shape : scene.shapes) {
+    std::vector<bool> in_use(scene.shapes.size(), false);
+    for (const CompiledObject& object : scene.objects) {
+        if (why_not(scene, object).empty()) in_use[static_cast<std::size_t>(object.shape)] = true;
+    }
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         first_sets.push_back(static_cast<int>(wide.sets.size()));
-        for (const CompiledSet& set : shape.sets) {
-            wide.sets.push_back(make_set(shape, set, first_sets.back()));
+        if (!in_use[i]) continue;
+        for (const CompiledSet& set : scene.shapes[i].sets) {
+            wide.sets.push_back(make_set(scene.shapes[i], set, first_sets.back()));
         }
     }
-    for (const CompiledObject& object : scene.objects) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const CompiledObject& object = scene.objects[i];
+        if (!why_not(scene, object).empty()) continue;
         const auto index = static_cast<std::size_t>(object.shape);
         const CompiledShape& shape = scene.shapes[index];
         const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(shape.start)].volume;
         WideObject result;
+        result.index = static_cast<int>(i);
         result.to_unit = into_unit(inverse(object.instance), volume);
         result.linear = object.instance.linear;
         result.set = first_sets[index] + shape.start;

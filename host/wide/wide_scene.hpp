@@ -6,6 +6,7 @@
 
 #include <hwy/aligned_allocator.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -33,11 +34,11 @@ template <class T>
 class LaneTable {
   public:
     LaneTable() = default;
-    LaneTable(int rows, int stride)
-        : stride_(stride),
-          data_(hwy::AllocateAligned<T>(static_cast<std::size_t>(rows) *
-                                        static_cast<std::size_t>(stride))) {
-        for (int i = 0; i < rows * stride; ++i) data_[static_cast<std::size_t>(i)] = T(0);
+    LaneTable(int rows, int stride) : stride_(stride) {
+        const auto size = static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride);
+        if (size == 0) return;  // an object without maps
+        data_ = hwy::AllocateAligned<T>(size);
+        std::fill_n(data_.get(), size, T(0));
     }
     [[nodiscard]] T* row(int i) { return data_.get() + static_cast<std::ptrdiff_t>(i) * stride_; }
     [[nodiscard]] const T* row(int i) const {
@@ -86,6 +87,7 @@ struct WideSet {
 
 /// An object: from scene units to the unit coordinates of its outermost volume.
 struct WideObject {
+    int index = 0;  // in the compiled scene
     Affine to_unit;
     double radius = 0;       // of the outermost volume, if it is a ball, in scene units
     glm::dvec3 center{0.0};  // its centre
@@ -111,8 +113,8 @@ struct WideObject {
 };
 
 struct WideScene {
-    std::vector<WideSet> sets;  // of all shapes
-    std::vector<WideObject> objects;
+    std::vector<WideSet> sets;        // of all shapes
+    std::vector<WideObject> objects;  // those that the wide engine can do
     CompiledCamera camera;
     double detail = 1;
     std::uint32_t cell_cap = 0;
@@ -123,7 +125,8 @@ struct WideScene {
     std::vector<CompiledLight> lights;
 };
 
-/// Why this scene cannot be rendered by the wide engine; empty if it can.
+/// Why nothing of this scene can be rendered by the wide engine; empty if it can, or if at least
+/// one of its objects can: the others are left to the clear kernels then.
 [[nodiscard]] std::string why_not_wide(const CompiledScene& scene, Numeric numeric);
 
 /// How the first cells of one object are found in native renders in float.
@@ -133,6 +136,9 @@ struct ObjectMethod {
     std::string because;
 };
 [[nodiscard]] std::vector<ObjectMethod> object_methods(const CompiledScene& scene);
+
+/// The scene with those objects alone that the wide engine cannot do.
+[[nodiscard]] CompiledScene left_to_clear_kernels(const CompiledScene& scene);
 
 /// Precondition: why_not_wide() is empty.
 [[nodiscard]] WideScene make_wide_scene(const CompiledScene& scene);

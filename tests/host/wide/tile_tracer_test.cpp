@@ -34,6 +34,12 @@ std::vector<Feature> features() {
         "0.3,0.2,0.1 } plane floor { point: 0,-0.6,0 normal: 0,1,0 texture: "
         "boards }";
     const std::string mirror = std::string(floor_below) + "reflect: 0.5 }";
+    // Maps that squash more than 16 times are the clear kernels'.
+    const std::string with_needles =
+        "ifs needles { newmap scale: 0.02,0.45,0.02 translate: 0.3,0,0 newmap scale: 0.6 newmap "
+        "scale: 0.45 translate: -0.3,0.3,0.2 } object it { ifs: SYSTEM reflect: 0.2 } object them "
+        "{ "
+        "ifs: needles translate: 0.3,0.3,-0.8 reflect: 0.3 }";
     const std::string lamp = "light lamp { position: 1,2,-1.5 color: 1,1,0.8 shadow: on }";
     return {{"shadows", sun, ""},
             {"shadows_on_a_floor", floor + sun, ""},
@@ -47,6 +53,8 @@ std::vector<Feature> features() {
             {"two_mirrors", mirror + "plane wall { point: 0,0,1.5 normal: 0,0,-1 reflect: 0.7 }",
              "samples: 2"},
             {"an_object_that_mirrors", floor + sun + "object it { ifs: SYSTEM reflect: 0.4 }", ""},
+            {"beside_what_it_cannot_do", floor + lamp + sun + with_needles, "samples: 2"},
+            {"behind_what_it_cannot_do", with_needles, ""},
             {"a_crop", floor + sun, "samples: 2"}};
 }
 
