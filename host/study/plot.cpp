@@ -50,9 +50,10 @@ std::string opening(double w, double h, const std::string& title) {
            text_at(0, 16, "start", title, " class=\"title\"");
 }
 
-/// Large powers of ten have many digits, which would meet along an axis.
+/// Large numbers have many digits, which would meet along an axis, or its label.
 std::string tick_text(const PlotAxis& axis, double value) {
     const bool power = axis.scale == AxisScale::logarithmic && axis.ticks.empty();
+    if (!power && value >= 1e7) return fmt::format("{:g}e6", value / 1e6);
     return power && value >= 1e5 ? fmt::format("1e{:.0f}", std::log10(value)) : number_text(value);
 }
 

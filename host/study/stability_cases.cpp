@@ -168,7 +168,7 @@ std::vector<StabilityCase> stability_cases() {
     t.add("zoom", {1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e8, 1e10, 1e12}, zoomed);
     t.add("contraction", {0.9, 0.96, 0.98, 0.99}, spiral);
     t.size = {16, 12};
-    t.cell_cap = 50'000;
+    t.cell_cap = 20'000;
     t.add("contraction", {0.999, 0.9999}, spiral);
     t.size.reset();
     t.cell_cap.reset();
@@ -199,7 +199,7 @@ std::vector<StabilityCase> stability_cases() {
     t.add("norm above 1", {1.5, 1.9}, expanding);
     t.add("maps", {1, 100, 10'000},
           [](double n, double u) { return many(static_cast<int>(n), u); });
-    t.add("chain", {10, 60, 120, 1000},
+    t.add("chain", {10, 60, 120, 300},
           [](double n, double u) { return chained(static_cast<int>(n), u); });
     t.add("dead end", {1}, [](double, double) { return std::string(dead_end); });
     t.add("no such map", {1}, [](double, double) { return std::string(no_such_map); });

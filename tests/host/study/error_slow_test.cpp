@@ -58,6 +58,7 @@ TEST_F(ErrorStudy, the_wide_engine_is_no_program_of_the_machine) {
 TEST_F(ErrorStudy, no_point_of_the_front_is_beaten) {
     int front = 0;
     for (const auto& [name, point] : points) {
+        if (point["machine_seconds"].is_null()) continue;
         front += point["pareto"].get<bool>();
         EXPECT_EQ(point["pareto"].get<bool>(), point["dominated_by"].is_null()) << name;
         for (const auto& [other, beaten] : points) {

@@ -103,6 +103,14 @@ TEST(Plot, a_short_logarithmic_axis_has_more_than_powers_of_ten) {
     EXPECT_THAT(svg_of(plot), Not(HasSubstr(">2<")));
 }
 
+TEST(Plot, large_numbers_beside_an_axis_are_short) {
+    BarPlot plot;
+    plot.bars = {{2e8, ""}};
+    const std::string svg = svg_of(plot);
+    EXPECT_THAT(svg, HasSubstr(">200e6<"));
+    EXPECT_THAT(svg, Not(HasSubstr(">200,000,000<")));
+}
+
 TEST(Plot, a_plot_without_values_is_still_a_plot) {
     EXPECT_THAT(svg_of(LinePlot{}), HasSubstr("</svg>"));
     EXPECT_THAT(svg_of(BarPlot{}), Not(HasSubstr("nan")));
