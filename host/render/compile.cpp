@@ -68,6 +68,7 @@ class Compiler {
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
         set_sampling();
         for (const Placed& object : objects) add_object(object);
+        if (covers_by_area()) cover_by_area(render_, out_, diagnostics_);
         if (near_cells_ == NearCells::replaced) reroot(roots_, view_, rays(), out_);
         compile_floor(scene_, view_, fractals_, out_, diagnostics_);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
@@ -138,6 +139,10 @@ class Compiler {
         return shadows || mirrors ? Rays::from_everywhere : Rays::from_the_eye;
     }
 
+    [[nodiscard]] bool covers_by_area() const {
+        return render_.covers && std::holds_alternative<AreaCovers>(*render_.covers);
+    }
+
     void set_sampling() {
         out_.detail = render_.detail.value_or(out_.detail);
         out_.fade = out_.detail;
@@ -147,10 +152,7 @@ class Compiler {
             out_.covers = true;
         }
         out_.bounces = render_.bounces.value_or(out_.bounces);
-        if (render_.covers && std::holds_alternative<AreaCovers>(*render_.covers)) {
-            cover_by_area(render_, out_, diagnostics_);
-            return;
-        }
+        if (covers_by_area()) return;  // once the objects are there
         out_.samples = sample_places(render_.samples.value_or(1));
         const double finer = std::sqrt(static_cast<double>(out_.samples.size()));
         out_.camera.pixel_at_eye /= finer;
