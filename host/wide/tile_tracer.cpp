@@ -6,6 +6,7 @@
 
 #include "host/render/gather.hpp"
 #include "host/render/instances.hpp"
+#include "host/render/overflow.hpp"
 #include "host/wide/to_node.hpp"
 
 namespace pxm::host::wide {
@@ -300,6 +301,7 @@ void TileTracer::store() {
 void TileTracer::render_clearly(int i, std::uint32_t tested) {
     const auto x = static_cast<std::uint32_t>(left_ + i % tile_side);
     const auto y = static_cast<std::uint32_t>(top_ + i / tile_side);
+    clear_overflow();  // lanes without a child divide by zero
     clear_pixel_(node_, constants_, heap_, x, y, result_);
     result_.counts.volumes_tested += tested;
     PixelRecord& pixel = pixel_at(i);

@@ -80,6 +80,18 @@ TEST(WideZoom, is_right_to_the_last_pixel) {
     }
 }
 
+/// Lanes divide by zero where they have no child; that is no alarm of the pixels that the clear
+/// kernels judge in their stead.
+TEST(WideAlarms, tell_of_no_overflow_that_was_none) {
+    RenderRequest request;
+    request.scene_path = PXM_SOURCE_DIR "/scenes/deep_zoom.pxm";
+    request.overrides.size = PixelSize{320, 240};
+    request.overrides.zoom = 1e30;
+    const RenderResult result = render(request, {});
+    EXPECT_EQ(result.statistics.intersect, "wide");
+    EXPECT_EQ(result.warnings, "");
+}
+
 TEST(WideChoice, says_why_not) {
     const auto reason = [](const std::string& text, Numeric numeric = Numeric::single) {
         return wide::why_not_wide(compile_text(text), numeric);
