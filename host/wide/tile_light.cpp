@@ -54,7 +54,7 @@ void TileTracer::search_shadows(std::size_t light) {
     const LoneRay first = shadows_.front().second;
     batch_.clear();
     std::erase_if(shadows_, [&](const auto& shadow) {
-        if (!go_together(first, shadow.second)) return false;
+        if (!batch_.empty() && !go_together(first, shadow.second)) return false;
         places[batch_.size()] = shadow.first;
         batch_.push_back(shadow.second);
         return true;
@@ -125,11 +125,12 @@ void TileTracer::mirror(const Lane& lane, const LitPlace& place, double share) {
 
 /// Mirror rays that go much the same way, as one bundle.
 void TileTracer::look_into_mirrors() {
-    const LoneRay first = pending_.back().ray;
+    const LoneRay first = pending_.front().ray;
     batch_.clear();
     std::erase_if(pending_, [&](const PendingRay& pending) {
         if ((unclear_ >> pending.pixel & 1) != 0) return true;
-        if (batch_.size() == bundle_rays || !go_together(first, pending.ray)) return false;
+        const bool full = batch_.size() == bundle_rays;
+        if (full || (!batch_.empty() && !go_together(first, pending.ray))) return false;
         lanes_[batch_.size()] = {
             pending.pixel, pending.share, pending.bounces_left, pending.ray, {}};
         batch_.push_back(pending.ray);
