@@ -13,10 +13,10 @@ namespace {
 
 constexpr const char* style = R"(
 body { font: 15px/1.45 Georgia, "Times New Roman", serif; color: #14213d; background: #fff;
-  max-width: 1000px; margin: 2em auto; padding: 0 1em; }
+  max-width: 1000px; margin: 2em auto; padding: 0 1em; overflow-wrap: anywhere; }
 h1, h2, h3 { font-weight: 600; line-height: 1.2; }
 h2 { border-top: 2px solid #14213d; padding-top: .5em; margin-top: 2em; }
-table { border-collapse: collapse; margin: 1em 0; font-size: 14px; }
+table { border-collapse: collapse; margin: 1em 0; font-size: 14px; overflow-wrap: normal; }
 th, td { padding: .2em .7em; text-align: right; border-bottom: 1px solid #ccd; }
 th:first-child, td:first-child { text-align: left; white-space: nowrap; }
 .wide { overflow-x: auto; } .wide svg { min-width: 600px; }
