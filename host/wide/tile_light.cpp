@@ -102,7 +102,7 @@ void TileTracer::add_light(const LitPlace& place) {
     if (place.reflect > 0 && lane.bounces_left > 0) {
         const double mirror_share = share * static_cast<double>(place.reflect);
         share -= mirror_share;
-        const double whole = 1.0 / static_cast<double>(scene_.samples.size());
+        const double whole = scene_.area ? 1 : 1.0 / static_cast<double>(scene_.samples.size());
         if (mirror_share >= whole * kernels::least_share<double>) mirror(lane, place, mirror_share);
     }
     const std::array<float, 3> color = color_of(place);

@@ -41,12 +41,16 @@ TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide, const 
     int widest = table_step;
     for (const WideSet& set : wide.sets) widest = std::max(widest, set.stride);
     work_.scratch = hwy::AllocateAligned<double>(static_cast<std::size_t>(widest) * 32);
+    if (!scene.area) return;
+    beams_ = std::make_unique<BeamWorkspace>();
+    prepare_places();
 }
 
 void TileTracer::render(long left, long top) {
     left_ = left;
     top_ = top;
     unclear_ = 0;
+    if (beams_) return render_area();
     if (is_plain_) return render_plainly();
     sums_.fill(PixelSum{});
     for (std::size_t sample = 0; sample < scene_.samples.size(); ++sample) {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "host/render/frame.hpp"
 #include "host/render/native_node.hpp"
 #include "host/render/statistics.hpp"
+#include "host/wide/beam_search.hpp"
 #include "host/wide/bundle_search.hpp"
 #include "host/wide/clear_rest.hpp"
 
@@ -71,7 +73,21 @@ class TileTracer {
         std::uint32_t mirror_rays;
     };
 
+    /// A part of a pixel, and what is seen there (local covers by area).
+    struct AreaPlace {
+        Lane lane;
+        LitPlace lit;
+    };
+
     void render_plainly();
+    void render_area();
+    void prepare_places();
+    void aim_beams();
+    void see_sights(int pixel);
+    void see_behind(int pixel, double left, Kind kind);
+    [[nodiscard]] std::array<float, 3> color_of_plane(const Lane& lane);
+    [[nodiscard]] AreaPlace& next_area_place();
+    void light_area();
     void aim(std::size_t sample);
     [[nodiscard]] LoneRay eye_ray(int pixel) const;
     void look(Kind kind);
@@ -124,6 +140,9 @@ class TileTracer {
     std::vector<PendingRay> pending_;
     std::vector<LoneRay> batch_;
     std::vector<std::pair<std::size_t, LoneRay>> shadows_;  // of a lit place
+    std::unique_ptr<BeamWorkspace> beams_;                  // local covers by area
+    std::vector<AreaPlace> area_;                           // of the tile
+    std::size_t area_count_ = 0;
 };
 
 }  // namespace pxm::host::wide

@@ -52,13 +52,37 @@ void write_child(LaneTable<T>& table, int lane, const Affine& step, const Compil
     put(ChildField::diameter, diameter);
 }
 
-WideSet make_set(const CompiledShape& shape, const CompiledSet& set, int first_set) {
+/// 1 over the half width of a volume along the axes of its unit coordinates.
+glm::dvec3 inverse_half(const CompiledVolume& volume) {
+    const glm::dmat3 linear = from_unit(volume).linear;
+    return {1 / glm::length(linear[0]), 1 / glm::length(linear[1]), 1 / glm::length(linear[2])};
+}
+
+/// `step` is K, from the parent's unit coordinates to the child's.
+void write_beam(LaneTable<double>& table, int lane, const Affine& step,
+                const CompiledVolume& inner) {
+    const Affine outward = inverse(step);
+    const glm::dvec3 half = inverse_half(inner);
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            table.row(BeamField::linear + 3 * i + j)[lane] = outward.linear[i][j];
+        }
+        table.row(BeamField::offset + i)[lane] = outward.translation[i];
+        table.row(BeamField::inverse_half + i)[lane] = half[i];
+    }
+    table.row(BeamField::box)[lane] = inner.kind == kernels::Volume::box ? 1 : 0;
+}
+
+WideSet make_set(const CompiledScene& scene, const CompiledShape& shape, const CompiledSet& set,
+                 int first_set) {
     WideSet wide;
+    wide.coverage = set.coverage;
     wide.count = static_cast<int>(set.maps.size());
     wide.stride = (wide.count + table_step - 1) / table_step * table_step;
     wide.polar = shape.lipschitz == kernels::Lipschitz::polar;
     wide.twice = LaneTable<double>(ChildField::count, wide.stride);
     wide.single = LaneTable<float>(ChildField::count, wide.stride);
+    if (scene.area) wide.beams = LaneTable<double>(BeamField::count, wide.stride);
     for (int lane = 0; lane < wide.count; ++lane) {
         const int symbol = set.maps[static_cast<std::size_t>(lane)];
         const CompiledMap& map = shape.maps[static_cast<std::size_t>(symbol)];
@@ -66,6 +90,7 @@ WideSet make_set(const CompiledShape& shape, const CompiledSet& set, int first_s
         const Affine step = into_unit(then(from_unit(set.volume), inverse(map.map)), inner);
         write_child(wide.twice, lane, step, map, inner.diameter);
         write_child(wide.single, lane, step, map, inner.diameter);
+        if (scene.area) write_beam(wide.beams, lane, step, inner);
         wide.maps.push_back(symbol);
         wide.colors.push_back({static_cast<float>(map.color.r), static_cast<float>(map.color.g),
                                static_cast<float>(map.color.b), static_cast<float>(map.color.a)});
@@ -152,8 +177,20 @@ ObjectMethod wide_method(const CompiledScene& scene, const CompiledObject& objec
 std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
     if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
-    if (needs_covers(scene) || scene.area)
-        return "local covers and translucent objects are the clear kernels'";
+    if (needs_covers(scene) && !scene.area) {
+        return "local covers by diameter and translucent objects are the clear kernels'";
+    }
+    if (scene.area) {  // a pixel's objects are composed one with the other
+        for (const CompiledObject& object : scene.objects) {
+            const std::string reason = why_not(scene, object);
+            if (!reason.empty()) {
+                return fmt::format(
+                    "object \"{}\" {}, and local covers by area are done by one "
+                    "engine",
+                    object.name, reason);
+            }
+        }
+    }
     const bool some = std::ranges::any_of(scene.objects, [&](const CompiledObject& object) {
         return why_not(scene, object).empty();
     });
@@ -208,7 +245,7 @@ WideScene make_wide_scene(const CompiledScene& scene) {
         first_sets.push_back(static_cast<int>(wide.sets.size()));
         if (!in_use[i]) continue;
         for (const CompiledSet& set : scene.shapes[i].sets) {
-            wide.sets.push_back(make_set(scene.shapes[i], set, first_sets.back()));
+            wide.sets.push_back(make_set(scene, scene.shapes[i], set, first_sets.back()));
         }
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -220,11 +257,14 @@ WideScene make_wide_scene(const CompiledScene& scene) {
         WideObject result;
         result.index = static_cast<int>(i);
         result.to_unit = into_unit(inverse(object.instance), volume);
+        result.from_unit = inverse(result.to_unit);
         result.linear = object.instance.linear;
         result.set = first_sets[index] + object.start;
         result.spheres = volume.kind == kernels::Volume::sphere;
         result.constant = object.constant;
         result.diameter = volume.diameter;
+        result.inverse_half = inverse_half(volume);
+        result.box = volume.kind == kernels::Volume::box;
         result.smallest_pixel = smallest_pixel_share<double>() * object.diameter;
         result.levels = object.levels;
         result.hash = hash_symbols(object.prefix);

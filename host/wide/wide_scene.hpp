@@ -69,6 +69,17 @@ struct HomothetyTable {
     LaneTable<double> twice;  // the same
 };
 
+/// What beams need of a child (host/wide/beam_search.hpp), one row each: F and o, from its unit
+/// coordinates to its parent's, the inverse of K; 1 over the half width of its volume along each
+/// axis; whether that is a box along the axes.
+struct BeamField {
+    static constexpr int linear = 0;         // 9
+    static constexpr int offset = 9;         // 3
+    static constexpr int inverse_half = 12;  // 3
+    static constexpr int box = 15;
+    static constexpr int count = 16;
+};
+
 /// A follow set: its children in lanes, twice.
 struct WideSet {
     int count = 0;
@@ -80,6 +91,8 @@ struct WideSet {
     std::vector<int> sets;  // follow set of each child, counted through all shapes
     LaneTable<double> twice;
     LaneTable<float> single;
+    LaneTable<double> beams;       // empty unless there are local covers by area
+    double coverage = 1;           // of its volume, by its attractor, on average
     HomothetyTable children;       // empty unless the object is `fixed_direction`
     HomothetyTable grandchildren;  // empty unless they fit one table_step
     ChildGrid grid;                // of `children`, if they are boxes in slices
@@ -89,6 +102,7 @@ struct WideSet {
 struct WideObject {
     int index = 0;  // in the compiled scene
     Affine to_unit;
+    Affine from_unit;        // its inverse
     double radius = 0;       // of the outermost volume, if it is a ball, in scene units
     glm::dvec3 center{0.0};  // its centre
     glm::dmat3 linear{1.0};  // of the instance
@@ -98,10 +112,12 @@ struct WideObject {
     double diameter = 0;  // of the outermost volume, in the shape's coordinates
     double smallest_pixel = 0;
     std::uint32_t levels = 0;
-    std::uint32_t hash = 0;  // of the word that leads to it, unfinished
-    int enclosing = -1;      // in the scene's list
-    double widest = 0;       // diameter of the outermost cell around it; 0 if none is
-    bool colored = false;    // a map has a colour
+    std::uint32_t hash = 0;        // of the word that leads to it, unfinished
+    int enclosing = -1;            // in the scene's list
+    double widest = 0;             // diameter of the outermost cell around it; 0 if none is
+    bool colored = false;          // a map has a colour
+    glm::dvec3 inverse_half{1.0};  // 1 over the half width of the outermost volume
+    bool box = false;              // the outermost volume is a box along the axes
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
     bool fixed_direction = false;

@@ -1,0 +1,340 @@
+// The cells that the beams of a tile's pixels go down to: a cell's children in lanes, each with the
+// columns and rows of the picture that it may be seen in. As meet() of dsp_kernels/beam.hpp, but
+// the rectangle is one of pixels. In double.
+#if defined(PXM_HOST_WIDE_BEAM_LEVELS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PXM_HOST_WIDE_BEAM_LEVELS_INL
+#undef PXM_HOST_WIDE_BEAM_LEVELS_INL
+#else
+#define PXM_HOST_WIDE_BEAM_LEVELS_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+
+#include "host/wide/beam_search.hpp"
+#include "host/wide/lanes.inl"
+
+HWY_BEFORE_NAMESPACE();
+namespace pxm::host::wide::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The children of a cell in lanes: rows of the scratch table.
+struct BeamRows {
+    static constexpr int center = 0;  // 3
+    static constexpr int key = 3;
+    static constexpr int first_column = 4;
+    static constexpr int last_column = 5;
+    static constexpr int first_row = 6;
+    static constexpr int last_row = 7;
+    static constexpr int diameter = 8;
+    static constexpr int axes = 9;  // 9
+    static constexpr int count = 18;
+};
+
+template <class V>
+struct LaneReach {
+    V x, y, s, z;
+};
+
+/// Pixels between two columns (or rows) of the picture, counted from the tile's first.
+template <class V>
+struct LaneSpan {
+    V first, last;
+};
+
+/// The pixels that a cell between low and high may be seen in: each looks at places from its corner
+/// + `from` to its corner + `to`.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE LaneSpan<V> span_of(D d, V low, V high, double from, double to) {
+    constexpr double middle = tile_side / 2.0;
+    constexpr double last = tile_side - 1.0;
+    const V first = hn::Ceil(hn::Add(low, hn::Set(d, middle - to)));
+    const V end = hn::Floor(hn::Add(high, hn::Set(d, middle - from)));
+    // An empty span stays empty: whole numbers just outside will do.
+    return {hn::Min(hn::Max(first, hn::Zero(d)), hn::Set(d, last + 1)),
+            hn::Max(hn::Min(end, hn::Set(d, last)), hn::Set(d, -1.0))};
+}
+
+/// Where cells are seen; a cell that is not seen has an empty span of columns.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE void see_cells(D d, const TileView& view, const Lanes3<V>& center,
+                          const LaneReach<V>& reach, V from, double* rows, int stride) {
+    const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * stride; };
+    const auto along = [&](const glm::dvec3& way, double offset) HWY_ATTR {
+        return hn::Add(dot(center, broadcast(d, &way.x)), hn::Set(d, offset));
+    };
+    const V x = along(view.x, view.x0), y = along(view.y, view.y0), s = along(view.s, view.s0);
+    const V depth =
+        view.perspective ? hn::Sqrt(dot(center, center)) : along(view.along, view.along0);
+    const V near = hn::Sub(s, reach.s), far = hn::Add(s, reach.s);
+    const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
+    const V over_near = hn::Div(one, near), over_far = hn::Div(one, far);
+    const auto around = hn::Le(near, zero);  // the eye: it may be anywhere
+    const V anywhere = hn::Set(d, 1e6);
+    const auto bounds = [&](V middle, V half) HWY_ATTR {
+        const V low = hn::Sub(middle, half), high = hn::Add(middle, half);
+        const V first = hn::Mul(low, hn::IfThenElse(hn::Lt(low, zero), over_near, over_far));
+        const V last = hn::Mul(high, hn::IfThenElse(hn::Lt(high, zero), over_far, over_near));
+        return LaneSpan<V>{hn::IfThenElse(around, hn::Neg(anywhere), first),
+                           hn::IfThenElse(around, anywhere, last)};
+    };
+    const LaneSpan<V> seen_x = bounds(x, reach.x), seen_y = bounds(y, reach.y);
+    const LaneSpan<V> columns = span_of(d, seen_x.first, seen_x.last, view.low_x, view.high_x);
+    const LaneSpan<V> lines = span_of(d, seen_y.first, seen_y.last, view.low_y, view.high_y);
+    const auto ahead = hn::And(hn::Le(from, hn::Add(depth, reach.z)), hn::Lt(zero, far));
+    store3(center, d, row(BeamRows::center), stride);
+    hn::StoreU(hn::Max(from, hn::Sub(depth, reach.z)), d, row(BeamRows::key));
+    hn::StoreU(columns.first, d, row(BeamRows::first_column));
+    hn::StoreU(hn::IfThenElse(ahead, columns.last, hn::Set(d, -1.0)), d,
+               row(BeamRows::last_column));
+    hn::StoreU(lines.first, d, row(BeamRows::first_row));
+    hn::StoreU(lines.last, d, row(BeamRows::last_row));
+}
+
+/// The pixels of a rectangle, a bit each.
+HWY_INLINE std::uint64_t pixels_between(const double* rows, int stride, int lane) {
+    const auto at = [&](int i) {
+        return static_cast<int>(rows[static_cast<std::ptrdiff_t>(i) * stride + lane]);
+    };
+    const int x0 = at(BeamRows::first_column), x1 = at(BeamRows::last_column);
+    const int y0 = at(BeamRows::first_row), y1 = at(BeamRows::last_row);
+    if (x1 < x0 || y1 < y0) return 0;
+    constexpr std::uint64_t each_row = 0x0101'0101'0101'0101;
+    const std::uint64_t columns = (0xFFU >> (7 - x1 + x0)) << x0;
+    const std::uint64_t lines = ~std::uint64_t{0} >> (8 * (7 - y1 + y0)) << (8 * y0);
+    return (columns * each_row) & lines;
+}
+
+/// detail * p at a depth.
+HWY_INLINE double terminal_size(const WideScene& scene, int object, double depth) {
+    const double p = scene.camera.pixel_at_eye + scene.camera.pixel_growth * depth;
+    return scene.detail *
+           std::max(p, scene.objects[static_cast<std::size_t>(object)].smallest_pixel);
+}
+
+inline constexpr std::uint32_t most_beam_levels = 120;
+
+/// Puts a cell into the queue, if a pixel with an open place may see it.
+HWY_INLINE void push_cell(const WideScene& scene, BeamWorkspace& work, BeamCell& cell) {
+    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
+    cell.terminal =
+        cell.level == object.levels || cell.diameter <= terminal_size(scene, cell.object, cell.key);
+    if (cell.level > most_beam_levels) work.given_up = true;
+    work.cells.push_back(cell);
+    work.queue.emplace_back(cell.key, static_cast<int>(work.cells.size()) - 1);
+    std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+}
+
+/// How far a parallelepiped, or a ball that it is the cube of, reaches along a functional.
+inline double reach_along(const glm::dmat3& axes, bool ball, const glm::dvec3& way) {
+    const glm::dvec3 along{glm::dot(axes[0], way), glm::dot(axes[1], way), glm::dot(axes[2], way)};
+    return ball ? glm::length(along) : std::abs(along.x) + std::abs(along.y) + std::abs(along.z);
+}
+
+inline BeamReach reach_of(const TileView& view, const glm::dmat3& axes, bool ball) {
+    return {reach_along(axes, ball, view.x), reach_along(axes, ball, view.y),
+            reach_along(axes, ball, view.s), reach_along(axes, ball, view.along)};
+}
+
+/// Children of homotheties: a centre and a size.
+template <class D>
+HWY_INLINE void place_homotheties(D d, const WideScene& scene, BeamWorkspace& work,
+                                  const BeamCell& parent, int i) {
+    using V = hn::VFromD<D>;
+    const WideObject& object = scene.objects[static_cast<std::size_t>(parent.object)];
+    const HomothetyTable& table = scene.sets[static_cast<std::size_t>(parent.set)].children;
+    const BeamReach& unit = work.reaches[static_cast<std::size_t>(parent.object)];
+    const V outer = hn::Set(d, parent.size);
+    const Lanes3<V> q = load3(d, table.twice.row(0) + i, table.stride);
+    const glm::dmat3& axes = object.from_unit.linear;
+    const Lanes3x3<V> turn{
+        {broadcast(d, &axes[0].x), broadcast(d, &axes[1].x), broadcast(d, &axes[2].x)}};
+    const Lanes3<V> center = add_scaled(broadcast(d, &parent.center.x), outer, transform(q, turn));
+    const V size = hn::Mul(outer, hn::LoadU(d, table.twice.row(HomothetyTable::scale) + i));
+    const auto reach = [&](double x) HWY_ATTR { return hn::Mul(size, hn::Set(d, x)); };
+    see_cells(d, work.view, center,
+              LaneReach<V>{reach(unit.x), reach(unit.y), reach(unit.s), reach(unit.z)},
+              hn::Set(d, parent.key), work.scratch.get() + i, table.stride);
+}
+
+inline void open_homotheties(const WideScene& scene, BeamWorkspace& work, int index) {
+    const hn::ScalableTag<double> d;
+    const BeamCell parent = work.cells[static_cast<std::size_t>(index)];
+    const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
+    const HomothetyTable& table = set.children;
+    work.tested += static_cast<std::uint64_t>(table.count);
+    for (int i = 0; i < table.count; i += static_cast<int>(hn::Lanes(d))) {
+        place_homotheties(d, scene, work, parent, i);
+    }
+    const double* rows = work.scratch.get();
+    const std::uint64_t wanted = parent.pixels & work.open;
+    const auto row = [&](int i, int lane) {
+        return rows[static_cast<std::ptrdiff_t>(i) * table.stride + lane];
+    };
+    BeamCell child = parent;
+    child.parent = index;
+    child.level = parent.level + 1;
+    for (int lane = 0; lane < table.count; ++lane) {
+        child.pixels = pixels_between(rows, table.stride, lane) & wanted;
+        if (child.pixels == 0) continue;
+        child.center = {row(0, lane), row(1, lane), row(2, lane)};
+        child.size = parent.size * table.twice.row(HomothetyTable::scale)[lane];
+        child.key = row(BeamRows::key, lane);
+        child.constant = parent.constant * table.twice.row(HomothetyTable::constant)[lane];
+        child.diameter = parent.constant * table.twice.row(HomothetyTable::diameter)[lane];
+        child.set = table.sets[static_cast<std::size_t>(lane)];
+        child.lane = lane;
+        push_cell(scene, work, child);
+    }
+}
+
+/// The half axes of the children's volumes, and how far these reach.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE LaneReach<V> reach_of_children(D d, const TileView& view, const WideSet& set,
+                                          const Lanes3x3<V>& axes, int i) {
+    const int stride = set.stride;
+    const double* table = set.beams.row(0) + i;
+    const Lanes3<V> over_half = load3(d, table + BeamField::inverse_half * stride, stride);
+    const V half = hn::Set(d, 0.5);
+    const V radius = hn::Mul(half, hn::LoadU(d, set.twice.row(ChildField::diameter) + i));
+    const auto box = hn::Lt(half, hn::LoadU(d, table + BeamField::box * stride));
+    const auto along = [&](const glm::dvec3& way) HWY_ATTR {
+        const Lanes3<V> w = broadcast(d, &way.x);
+        const Lanes3<V> a{dot(axes.row[0], w), dot(axes.row[1], w), dot(axes.row[2], w)};
+        const Lanes3<V> b{hn::Mul(a.x, over_half.x), hn::Mul(a.y, over_half.y),
+                          hn::Mul(a.z, over_half.z)};
+        return hn::IfThenElse(box, hn::Add(hn::Add(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z)),
+                              hn::Mul(radius, hn::Sqrt(dot(b, b))));
+    };
+    return {along(view.x), along(view.y), along(view.s), along(view.along)};
+}
+
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE V diameters_of_children(D d, const WideSet& set, const BeamCell& parent,
+                                   const Lanes3x3<V>& axes, int i) {
+    const V diameter = hn::LoadU(d, set.twice.row(ChildField::diameter) + i);
+    if (!set.polar) {
+        return hn::Mul(diameter, hn::Mul(hn::Set(d, parent.constant),
+                                         hn::LoadU(d, set.twice.row(ChildField::constant) + i)));
+    }
+    const double* half = set.beams.row(BeamField::inverse_half) + i;
+    const auto scaled = [&](const Lanes3<V>& row, int k) HWY_ATTR {
+        const V h = hn::LoadU(d, half + k * set.stride);
+        return Lanes3<V>{hn::Mul(row.x, h), hn::Mul(row.y, h), hn::Mul(row.z, h)};
+    };
+    return hn::Mul(diameter, largest_singular_value(
+                                 d, Lanes3x3<V>{{scaled(axes.row[0], 0), scaled(axes.row[1], 1),
+                                                 scaled(axes.row[2], 2)}}));
+}
+
+template <class D>
+HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& set,
+                               const BeamCell& parent, double* rows, int i) {
+    using V = hn::VFromD<D>;
+    const int stride = set.stride;
+    const double* outer = work.axes[static_cast<std::size_t>(parent.axes)].data();
+    const double* table = set.beams.row(0) + i;
+    const Lanes3x3<V> frame{
+        {broadcast(d, outer), broadcast(d, outer + 3), broadcast(d, outer + 6)}};
+    const Lanes3x3<V> f = load3x3(d, table, stride);
+    const Lanes3x3<V> axes{
+        {transform(f.row[0], frame), transform(f.row[1], frame), transform(f.row[2], frame)}};
+    const Lanes3<V> center =
+        add(broadcast(d, &parent.center.x),
+            transform(load3(d, table + BeamField::offset * stride, stride), frame));
+    see_cells(d, work.view, center, reach_of_children(d, work.view, set, axes, i),
+              hn::Set(d, parent.key), rows + i, stride);
+    for (int r = 0; r < 3; ++r) {
+        store3(axes.row[r], d, rows + (BeamRows::axes + 3 * r) * stride + i, stride);
+    }
+    hn::StoreU(diameters_of_children(d, set, parent, axes, i), d,
+               rows + BeamRows::diameter * stride + i);
+}
+
+/// Puts the children of a cell into the queue.
+inline void open_beam_cell(const WideScene& scene, BeamWorkspace& work, int index) {
+    const hn::ScalableTag<double> d;
+    const BeamCell parent = work.cells[static_cast<std::size_t>(index)];
+    const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
+    double* rows = work.scratch.get();
+    work.tested += static_cast<std::uint64_t>(set.count);
+    for (int i = 0; i < set.count; i += static_cast<int>(hn::Lanes(d))) {
+        place_children(d, work, set, parent, rows, i);
+    }
+    const std::uint64_t wanted = parent.pixels & work.open;
+    const auto row = [&](int i, int lane) {
+        return rows[static_cast<std::ptrdiff_t>(i) * set.stride + lane];
+    };
+    BeamCell child = parent;
+    child.parent = index;
+    child.level = parent.level + 1;
+    for (int lane = 0; lane < set.count; ++lane) {
+        child.pixels = pixels_between(rows, set.stride, lane) & wanted;
+        if (child.pixels == 0) continue;
+        child.center = {row(0, lane), row(1, lane), row(2, lane)};
+        child.key = row(BeamRows::key, lane);
+        child.constant = parent.constant * set.twice.row(ChildField::constant)[lane];
+        child.diameter = row(BeamRows::diameter, lane);
+        child.set = set.sets[static_cast<std::size_t>(lane)];
+        child.lane = lane;
+        child.axes = static_cast<int>(work.axes.size());
+        std::array<double, 9>& axes = work.axes.emplace_back();
+        for (int i = 0; i < 9; ++i) {
+            axes[static_cast<std::size_t>(i)] = row(BeamRows::axes + i, lane);
+        }
+        push_cell(scene, work, child);
+    }
+}
+
+/// The outermost cell of an object, if a pixel may see it.
+inline void push_beam_object(const WideScene& scene, BeamWorkspace& work, int index) {
+    const hn::CappedTag<double, 1> d;
+    using V = hn::VFromD<decltype(d)>;
+    const WideObject& object = scene.objects[static_cast<std::size_t>(index)];
+    const glm::dmat3& axes = object.from_unit.linear;
+    BeamReach reach = reach_of(work.view, axes, !object.box);
+    if (object.fixed_direction) work.reaches[static_cast<std::size_t>(index)] = reach;
+    if (!object.box && !object.spheres) {  // seen as the ball around it
+        glm::dmat3 around;
+        for (int i = 0; i < 3; ++i) {
+            around[i] = axes[i] * (object.inverse_half[i] * object.diameter / 2);
+        }
+        reach = reach_of(work.view, around, true);
+    }
+    double* rows = work.scratch.get();
+    const auto lane = [&](double x) { return hn::Set(d, x); };
+    see_cells(d, work.view, broadcast(d, &object.from_unit.translation.x),
+              LaneReach<V>{lane(reach.x), lane(reach.y), lane(reach.s), lane(reach.z)}, hn::Zero(d),
+              rows, 1);
+    ++work.tested;
+    BeamCell cell{};
+    cell.pixels = pixels_between(rows, 1, 0) & work.open;
+    if (cell.pixels == 0) return;
+    cell.center = object.from_unit.translation;
+    cell.size = 1;
+    cell.key = rows[BeamRows::key];
+    cell.constant = object.constant;
+    cell.diameter = object.constant * object.diameter;
+    cell.set = object.set;
+    cell.object = index;
+    cell.parent = -1;
+    cell.axes = -1;
+    if (!object.fixed_direction) {
+        cell.axes = static_cast<int>(work.axes.size());
+        std::array<double, 9>& own = work.axes.emplace_back();
+        for (std::size_t i = 0; i < 9; ++i) {
+            own[i] = axes[static_cast<int>(i / 3)][static_cast<int>(i % 3)];
+        }
+    }
+    push_cell(scene, work, cell);
+}
+
+}  // namespace pxm::host::wide::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,62 @@
+// Highway compiles this file once for every kind of register and picks one at run time.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#include "host/wide/beam_search.hpp"
+
+#include <algorithm>
+
+#include "host/render/gather.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "host/wide/beam_search.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "host/wide/beam_places.inl"
+#include "host/wide/beam_sight.inl"
+
+#if HWY_ONCE
+namespace pxm::host::wide {
+
+HWY_EXPORT(search_tile);
+HWY_EXPORT(see_along);
+
+void prepare_beams(const WideScene& scene, BeamWorkspace& work) {
+    constexpr std::size_t rows = 18;  // of BeamRows
+    int widest = table_step;
+    for (const WideSet& set : scene.sets) widest = std::max(widest, set.stride);
+    work.scratch = hwy::AllocateAligned<double>(static_cast<std::size_t>(widest) * rows);
+    work.reaches.resize(scene.objects.size());
+}
+
+void search_beams(const WideScene& scene, BeamWorkspace& work) {
+    work.cells.clear();
+    work.axes.clear();
+    work.queue.clear();
+    work.path.levels = 0;
+    work.tested = 0;
+    work.given_up = false;
+    HWY_DYNAMIC_DISPATCH(search_tile)(scene, work);
+}
+
+void see_sight(const WideScene& scene, BeamWorkspace& work, int cell, const LoneRay& ray,
+               SeenCell& seen) {
+    HWY_DYNAMIC_DISPATCH(see_along)(scene, work, cell, ray, seen);
+}
+
+std::uint32_t beam_word(const WideScene& scene, const BeamWorkspace& work, int cell) {
+    std::vector<std::uint32_t> symbols;
+    const BeamCell* at = &work.cells[static_cast<std::size_t>(cell)];
+    std::uint32_t hash = scene.objects[static_cast<std::size_t>(at->object)].hash;
+    while (at->parent >= 0) {
+        const BeamCell& parent = work.cells[static_cast<std::size_t>(at->parent)];
+        const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
+        symbols.push_back(static_cast<std::uint32_t>(set.maps[static_cast<std::size_t>(at->lane)]));
+        at = &parent;
+    }
+    for (std::size_t i = symbols.size(); i > 0; --i) hash = host::hash_symbol(hash, symbols[i - 1]);
+    const std::uint32_t folded = (hash >> 24 ^ hash) & 0x00FF'FFFF;
+    return folded == 0 ? 1 : folded;
+}
+
+}  // namespace pxm::host::wide
+#endif

@@ -1,0 +1,235 @@
+// Local covers by area on a tile: what its pixels ask of the beams of host/wide/beam_search.hpp,
+// and the light of what shows in them. As look_over_area() of dsp_kernels/trace.hpp.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "host/wide/tile_tracer.hpp"
+#include "host/wide/to_node.hpp"
+
+namespace pxm::host::wide {
+
+namespace {
+
+/// The picture of a tile whose first pixel is (left, top).
+TileView view_of(const CompiledCamera& camera, long left, long top) {
+    constexpr double half = tile_side / 2.0;
+    const glm::dvec3 middle = camera.corner + camera.across * (static_cast<double>(left) + half) +
+                              camera.down * (static_cast<double>(top) + half);
+    TileView view{};
+    view.perspective = camera.projection == kernels::Projection::perspective;
+    const glm::dmat3 away = glm::transpose(glm::inverse(
+        glm::dmat3{camera.across, camera.down, view.perspective ? middle : camera.forward}));
+    view.x = away[0];
+    view.y = away[1];
+    if (view.perspective) {
+        view.s = away[2];
+        view.along = glm::normalize(middle);
+        return view;
+    }
+    view.along = camera.forward;
+    view.x0 = -glm::dot(view.x, middle);
+    view.y0 = -glm::dot(view.y, middle);
+    view.s0 = 1;
+    view.along0 = -glm::dot(away[2], middle);
+    view.along = away[2];
+    return view;
+}
+
+/// As beam_frame() of dsp_kernels/beam_cell.hpp.
+void frame_beam(PixelBeam& beam, const CompiledCamera& camera) {
+    const glm::dvec3& along = beam.ray.direction;
+    const glm::dvec3 x = camera.across - glm::dot(camera.across, along) * along;
+    const glm::dvec3 y = camera.down - glm::dot(camera.down, along) * along;
+    beam.across = glm::normalize(x);
+    beam.down = glm::normalize(y - glm::dot(y, beam.across) * beam.across);
+    beam.xx = glm::dot(camera.across, beam.across);
+    beam.xy = glm::dot(camera.down, beam.across);
+    beam.yy = glm::dot(camera.down, beam.down);
+}
+
+/// How far from a pixel's corner its places may be seen: a beam is no narrower than its pixel.
+void widen(TileView& view, const BeamWorkspace& work, const PixelBeam& beam,
+           const glm::dvec2& first, double pixel) {
+    constexpr double rounding = 1e-6;
+    for (int i = 0; i < work.places; ++i) {
+        const double y = static_cast<double>(work.place_y[i]) * pixel / beam.yy;
+        const double x = (static_cast<double>(work.place_x[i]) * pixel - beam.xy * y) / beam.xx;
+        view.low_x = std::min(view.low_x, first.x + x - rounding);
+        view.high_x = std::max(view.high_x, first.x + x + rounding);
+        view.low_y = std::min(view.low_y, first.y + y - rounding);
+        view.high_y = std::max(view.high_y, first.y + y + rounding);
+    }
+}
+
+/// The ray through a place, given from the first one in pixels.
+LoneRay ray_through(const PixelBeam& beam, double x, double y) {
+    const glm::dvec3 aside = x * beam.across + y * beam.down;
+    LoneRay ray = beam.ray;
+    ray.origin += ray.pixel_at_origin * aside;
+    ray.direction = glm::normalize(ray.direction + ray.pixel_growth * aside);
+    return ray;
+}
+
+}  // namespace
+
+void TileTracer::prepare_places() {
+    beams_->places = static_cast<int>(scene_.samples.size());
+    for (std::size_t i = 0; i < scene_.samples.size(); ++i) {
+        const glm::dvec2 place = scene_.samples[i] - scene_.samples[0];
+        beams_->place_x[i] = static_cast<float>(place.x);
+        beams_->place_y[i] = static_cast<float>(place.y);
+    }
+    prepare_beams(wide_, *beams_);
+}
+
+void TileTracer::render_area() {
+    sums_.fill(PixelSum{});
+    aim_beams();
+    search_beams(wide_, *beams_);
+    area_count_ = 0;
+    const std::uint64_t inside = work_.bundle.inside;  // shadows are a bundle of their own
+    if (beams_->given_up) {
+        unclear_ = inside;
+    } else {
+        for (std::uint64_t rest = inside; rest != 0; rest &= rest - 1) {
+            see_sights(std::countr_zero(rest));
+        }
+        light_area();
+    }
+    while (!pending_.empty()) look_into_mirrors();
+    store();
+}
+
+void TileTracer::aim_beams() {
+    place_ = scene_.samples[0];
+    aim_at_tile(work_.bundle, scene_.camera, scene_.crop, left_, top_, place_);
+    TileView& view = beams_->view = view_of(scene_.camera, left_, top_);
+    view.low_x = view.low_y = std::numeric_limits<double>::infinity();
+    view.high_x = view.high_y = -view.low_x;
+    beams_->open = work_.bundle.inside;
+    for (int i = 0; i < bundle_rays; ++i) {
+        PixelBeam& beam = beams_->pixels[static_cast<std::size_t>(i)];
+        beam.ray = eye_ray(i);
+        frame_beam(beam, scene_.camera);
+        constexpr int half = tile_side / 2;
+        beam.column = i % tile_side - half + place_.x;
+        beam.row = i / tile_side - half + place_.y;
+        beam.end = far_away;
+        beam.open = ~std::uint32_t{0} >> (most_places - beams_->places);
+        beam.tested = 0;
+        beam.sight_count = 0;
+        std::fill_n(beam.left.begin(), beams_->places, 1.0);
+        // p where S is 1, at the depth that is nearest.
+        const double away = view.perspective ? 1 / glm::dot(view.s, beam.ray.direction) : 0;
+        const double p = beam.ray.pixel_at_origin + beam.ray.pixel_growth * away;
+        widen(view, *beams_, beam, place_, p);
+        Lane& lane = lanes_[static_cast<std::size_t>(i)];
+        lane = {i, 1, scene_.bounces, beam.ray, {}};
+        if (scene_.planes.empty()) continue;
+        if (kernels::nearest_plane(node_, to_node(lane.ray), lane.ray.start, lane.ray.end,
+                                   lane.floor)) {
+            beam.end = lane.floor.t;
+        }
+    }
+}
+
+/// Looks at what shows in a pixel: cells, and behind them a plane or the background.
+void TileTracer::see_sights(int pixel) {
+    const PixelBeam& beam = beams_->pixels[static_cast<std::size_t>(pixel)];
+    Lane lane = lanes_[static_cast<std::size_t>(pixel)];
+    PixelSum& sum = sums_[static_cast<std::size_t>(pixel)];
+    sum.tested = static_cast<std::uint32_t>(wide_.objects.size()) + beam.tested;
+    double most = 0;
+    for (int k = 0; k < beam.sight_count; ++k) {
+        const BeamSight& sight = beam.sights[static_cast<std::size_t>(k)];
+        lane.share = sight.share;
+        lane.ray = ray_through(beam, sight.x, sight.y);
+        AreaPlace& place = next_area_place();
+        place.lane = lane;
+        see_sight(wide_, *beams_, sight.cell, lane.ray, place.lit.seen);
+        const double key = place.lit.seen.depth;
+        const WideObject& object = wide_.objects[static_cast<std::size_t>(place.lit.seen.object)];
+        place.lit.seen.object = object.index;
+        place.lit.diffuse = object.diffuse;
+        place.lit.reflect = object.reflect;
+        place.lit.point = lane.ray.origin + key * lane.ray.direction;
+        place.lit.pixel =
+            std::max(lane.ray.pixel_at_origin + lane.ray.pixel_growth * key, object.smallest_pixel);
+        sum.opacity += sight.share;
+        if (!(most < sight.share)) continue;
+        most = sight.share;
+        place.lit.seen.word = beam_word(wide_, *beams_, sight.cell);
+        record_cell(place.lit.seen, key, pixel_at(pixel));
+    }
+    double left = 0;
+    for (int k = 0; k < beams_->places; ++k) left += beam.left[static_cast<std::size_t>(k)];
+    left /= beams_->places;
+    if (0 < left) see_behind(pixel, left, most < left ? Kind::first_sample : Kind::sample);
+}
+
+/// What of a pixel no cell covers.
+void TileTracer::see_behind(int pixel, double left, Kind kind) {
+    Lane& lane = lanes_[static_cast<std::size_t>(pixel)];
+    PixelSum& sum = sums_[static_cast<std::size_t>(pixel)];
+    if (lane.floor.plane == 0) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            sum.color[k] += left * static_cast<double>(wide_.background[k]);
+        }
+        return;
+    }
+    lane.share = left;
+    lit_count_ = 0;
+    see_plane(kind, pixel);
+    AreaPlace& place = next_area_place();
+    place.lane = lane;
+    std::swap(place.lit, lit_[0]);
+    place.lit.seen.color = color_of_plane(lane);
+}
+
+/// As plane_color() of dsp_kernels/trace.hpp.
+std::array<float, 3> TileTracer::color_of_plane(const Lane& lane) {
+    kernels::Search<double> search = constants_.search;
+    search.ray = to_node(lane.ray);
+    search.start = lane.ray.start;
+    kernels::Beam<Node> beam(node_, search);
+    const double finer = std::sqrt(beam.share_of_place());
+    glm::dvec3 color{0.0};
+    double places = 0;
+    for (std::uint32_t i = 0; i < beam.places(); ++i) {
+        const kernels::Ray<double> ray = beam.ray_through(beam.place(i));
+        kernels::PlaneHit<double> hit;
+        if (!kernels::nearest_plane(node_, ray, search.start, kernels::far_away<double>, hit) ||
+            hit.plane != lane.floor.plane) {
+            continue;
+        }
+        const double p = finer * kernels::pixel_on_plane(node_, search.pixel, hit.t);
+        color += to_glm(kernels::plane_surface(node_, ray, p, hit).color);
+        places += 1;
+    }
+    return to_floats(to_node(color / places));
+}
+
+TileTracer::AreaPlace& TileTracer::next_area_place() {
+    if (area_.size() == area_count_) area_.emplace_back();
+    return area_[area_count_++];
+}
+
+/// Lights all that shows in the tile, a bundle of shadow rays after the other.
+void TileTracer::light_area() {
+    constexpr std::size_t most = bundle_rays;
+    for (std::size_t first = 0; first < area_count_; first += most) {
+        lit_count_ = std::min(most, area_count_ - first);
+        for (std::size_t i = 0; i < lit_count_; ++i) {
+            lanes_[i] = area_[first + i].lane;
+            std::swap(lit_[i], area_[first + i].lit);
+            lit_[i].lane = static_cast<int>(i);
+        }
+        if (needs_shadows(scene_)) cast_shadows();
+        for (std::size_t i = 0; i < lit_count_; ++i) add_light(lit_[i]);
+    }
+}
+
+}  // namespace pxm::host::wide
