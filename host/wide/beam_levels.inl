@@ -11,7 +11,9 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <glm/geometric.hpp>
 
@@ -32,8 +34,11 @@ struct BeamRows {
     static constexpr int first_row = 6;
     static constexpr int last_row = 7;
     static constexpr int diameter = 8;
-    static constexpr int axes = 9;  // 9
-    static constexpr int count = 18;
+    static constexpr int column = 9;
+    static constexpr int row = 10;
+    static constexpr int shadow = 11;  // 6, see CellShadow
+    static constexpr int axes = 17;    // 9
+    static constexpr int count = 26;
 };
 
 template <class V>
@@ -60,9 +65,15 @@ HWY_INLINE LaneSpan<V> span_of(D d, V low, V high, double from, double to) {
             hn::Max(hn::Min(end, hn::Set(d, last)), hn::Set(d, -1.0))};
 }
 
+/// Where the centres of cells are seen.
+template <class V>
+struct LanePlace {
+    V column, row, over_s;
+};
+
 /// Where cells are seen; a cell that is not seen has an empty span of columns.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE void see_cells(D d, const TileView& view, const Lanes3<V>& center,
+HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& center,
                           const LaneReach<V>& reach, V from, double* rows, int stride) {
     const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * stride; };
     const auto along = [&](const glm::dvec3& way, double offset) HWY_ATTR {
@@ -94,6 +105,114 @@ HWY_INLINE void see_cells(D d, const TileView& view, const Lanes3<V>& center,
                row(BeamRows::last_column));
     hn::StoreU(lines.first, d, row(BeamRows::first_row));
     hn::StoreU(lines.last, d, row(BeamRows::last_row));
+    const V over_s = hn::Div(one, s);
+    const LanePlace<V> place{hn::Mul(x, over_s), hn::Mul(y, over_s), over_s};
+    hn::StoreU(place.column, d, row(BeamRows::column));
+    hn::StoreU(place.row, d, row(BeamRows::row));
+    return place;
+}
+
+/// The shadows of volumes in the picture, in columns and rows from their centres: the points with
+///     a x^2 + b x y + c y^2 <= 1       (balls: a, b, c), or
+///     |n . (x, y)| <= 1 for three n    (boxes: three times n's coordinates).
+/// A half axis reaches that far along X, Y and S.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE void cast_cells(D d, const LanePlace<V>& place, const Lanes3<V>& axes_x,
+                           const Lanes3<V>& axes_y, const Lanes3<V>& axes_s, bool ball,
+                           double* rows, int stride) {
+    const auto aside = [&](V along, V away, V at) HWY_ATTR {
+        return hn::Mul(hn::Sub(along, hn::Mul(at, away)), place.over_s);
+    };
+    const auto of = [&](const Lanes3<V>& along, V at) HWY_ATTR {
+        return Lanes3<V>{aside(along.x, axes_s.x, at), aside(along.y, axes_s.y, at),
+                         aside(along.z, axes_s.z, at)};
+    };
+    const Lanes3<V> x = of(axes_x, place.column), y = of(axes_y, place.row);
+    const V one = hn::Set(d, 1.0);
+    const auto put = [&](int i, V v) HWY_ATTR {
+        hn::StoreU(v, d, rows + static_cast<std::ptrdiff_t>(BeamRows::shadow + i) * stride);
+    };
+    if (ball) {
+        const V a = dot(x, x), b = dot(x, y), c = dot(y, y);
+        const V inverse = hn::Div(one, hn::Sub(hn::Mul(a, c), hn::Mul(b, b)));
+        put(0, hn::Mul(c, inverse));
+        put(1, hn::Mul(hn::Set(d, -2.0), hn::Mul(b, inverse)));
+        put(2, hn::Mul(a, inverse));
+        return;
+    }
+    const auto area = [&](V ax, V ay, V bx, V by) HWY_ATTR {
+        return hn::Abs(hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx)));
+    };
+    const V yz = area(x.y, y.y, x.z, y.z), zx = area(x.z, y.z, x.x, y.x),
+            xy = area(x.x, y.x, x.y, y.y);
+    // Beside an edge lies all that the other two edges reach.
+    const auto edge = [&](int i, V ax, V ay, V reach) HWY_ATTR {
+        const V inverse = hn::Div(one, reach);
+        put(2 * i, hn::Neg(hn::Mul(ay, inverse)));
+        put(2 * i + 1, hn::Mul(ax, inverse));
+    };
+    edge(0, x.x, y.x, hn::Add(xy, zx));
+    edge(1, x.y, y.y, hn::Add(xy, yz));
+    edge(2, x.z, y.z, hn::Add(zx, yz));
+}
+
+/// The shadow of a small cell, as cast_cells() has it.
+struct CellShadow {
+    float column, row;
+    float form[6];
+    float spread;  // of the places: p may not be smaller than an object allows
+    bool ball;
+};
+
+inline CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, const double* rows,
+                            int stride, int lane) {
+    const auto at = [&](int i) {
+        return static_cast<float>(rows[static_cast<std::ptrdiff_t>(i) * stride + lane]);
+    };
+    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
+    CellShadow shadow;
+    shadow.column = at(BeamRows::column);
+    shadow.row = at(BeamRows::row);
+    for (int i = 0; i < 6; ++i) shadow.form[i] = at(BeamRows::shadow + i);
+    const double p = scene.camera.pixel_at_eye + scene.camera.pixel_growth * cell.key;
+    shadow.spread = p < object.smallest_pixel ? static_cast<float>(object.smallest_pixel / p) : 1;
+    shadow.ball = object.spheres;
+    return shadow;
+}
+
+/// The places of a pixel that lie in a shadow, a bit each.
+HWY_INLINE std::uint32_t places_in(const BeamWorkspace& work, const CellShadow& shadow,
+                                   std::size_t pixel) {
+    const hn::CappedTag<float, most_places> d;
+    using V = hn::VFromD<decltype(d)>;
+    const PixelBeam& beam = work.pixels[pixel];
+    const V x0 = hn::Set(d, static_cast<float>(beam.column) - shadow.column);
+    const V y0 = hn::Set(d, static_cast<float>(beam.row) - shadow.row);
+    const V spread = hn::Set(d, shadow.spread), one = hn::Set(d, 1.0F);
+    const auto form = [&](int i) HWY_ATTR { return hn::Set(d, shadow.form[i]); };
+    std::uint32_t inside = 0;
+    for (int i = 0; i < work.places; i += static_cast<int>(hn::Lanes(d))) {
+        const V x = hn::Add(hn::Mul(hn::Load(d, beam.columns + i), spread), x0);
+        const V y = hn::Add(hn::Mul(hn::Load(d, beam.rows + i), spread), y0);
+        auto here = hn::FirstN(d, static_cast<std::size_t>(work.places - i));
+        if (shadow.ball) {
+            const V square =
+                hn::Add(hn::Mul(x, hn::Add(hn::Mul(form(0), x), hn::Mul(form(1), y))),
+                        hn::Mul(hn::Mul(form(2), y), y));
+            here = hn::And(here, hn::Le(square, one));
+        } else {
+            for (int k = 0; k < 3; ++k) {
+                const V aside = hn::Add(hn::Mul(x, form(2 * k)), hn::Mul(y, form(2 * k + 1)));
+                here = hn::And(here, hn::Le(hn::Abs(aside), one));
+            }
+        }
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, here, bits);
+        std::uint32_t word = 0;
+        std::memcpy(&word, bits, sizeof(word));
+        inside |= word << i;
+    }
+    return inside;
 }
 
 /// The pixels of a rectangle, a bit each.
@@ -119,15 +238,37 @@ HWY_INLINE double terminal_size(const WideScene& scene, int object, double depth
 
 inline constexpr std::uint32_t most_beam_levels = 120;
 
-/// Puts a cell into the queue, if a pixel with an open place may see it.
-HWY_INLINE void push_cell(const WideScene& scene, BeamWorkspace& work, BeamCell& cell) {
+/// Lists the open places that a small cell covers. False if there are none.
+inline bool find_places(BeamWorkspace& work, const CellShadow& shadow, BeamCell& cell) {
+    cell.first_place = static_cast<int>(work.covered.size());
+    for (std::uint64_t rest = cell.pixels; rest != 0; rest &= rest - 1) {
+        const int i = std::countr_zero(rest);
+        PixelBeam& pixel = work.pixels[static_cast<std::size_t>(i)];
+        ++pixel.tested;
+        const std::uint32_t where =
+            places_in(work, shadow, static_cast<std::size_t>(i)) & pixel.open;
+        if (where != 0 && !(pixel.end < cell.key)) work.covered.push_back({i, where});
+    }
+    cell.end_place = static_cast<int>(work.covered.size());
+    return cell.first_place < cell.end_place;
+}
+
+/// Puts a cell, whose rows are in the scratch table, into the queue, unless it is a small one that
+/// covers no open place.
+[[nodiscard]] HWY_INLINE bool push_cell(const WideScene& scene, BeamWorkspace& work, BeamCell& cell, int stride,
+                          int lane) {
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    cell.terminal =
-        cell.level == object.levels || cell.diameter <= terminal_size(scene, cell.object, cell.key);
+    cell.terminal = cell.level == object.levels ||
+                    cell.diameter <= terminal_size(scene, cell.object, cell.key);
     if (cell.level > most_beam_levels) work.given_up = true;
-    work.cells.push_back(cell);
-    work.queue.emplace_back(cell.key, static_cast<int>(work.cells.size()) - 1);
+    if (cell.terminal) {
+        const CellShadow shadow = shadow_of(scene, cell, work.scratch.get(), stride, lane);
+        if (!find_places(work, shadow, cell)) return false;
+    }
+    work.queue.emplace_back(cell.key, static_cast<int>(work.cells.size()));
     std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+    work.cells.push_back(cell);
+    return true;
 }
 
 /// How far a parallelepiped, or a ball that it is the cube of, reaches along a functional.
@@ -157,9 +298,17 @@ HWY_INLINE void place_homotheties(D d, const WideScene& scene, BeamWorkspace& wo
     const Lanes3<V> center = add_scaled(broadcast(d, &parent.center.x), outer, transform(q, turn));
     const V size = hn::Mul(outer, hn::LoadU(d, table.twice.row(HomothetyTable::scale) + i));
     const auto reach = [&](double x) HWY_ATTR { return hn::Mul(size, hn::Set(d, x)); };
-    see_cells(d, work.view, center,
-              LaneReach<V>{reach(unit.x), reach(unit.y), reach(unit.s), reach(unit.z)},
-              hn::Set(d, parent.key), work.scratch.get() + i, table.stride);
+    double* rows = work.scratch.get() + i;
+    const LanePlace<V> place =
+        see_cells(d, work.view, center,
+                  LaneReach<V>{reach(unit.x), reach(unit.y), reach(unit.s), reach(unit.z)},
+                  hn::Set(d, parent.key), rows, table.stride);
+    const auto axes_along = [&](const glm::dvec3& way) HWY_ATTR {
+        return Lanes3<V>{reach(glm::dot(axes[0], way)), reach(glm::dot(axes[1], way)),
+                         reach(glm::dot(axes[2], way))};
+    };
+    cast_cells(d, place, axes_along(work.view.x), axes_along(work.view.y),
+               axes_along(work.view.s), object.spheres, rows, table.stride);
 }
 
 inline void open_homotheties(const WideScene& scene, BeamWorkspace& work, int index) {
@@ -189,30 +338,40 @@ inline void open_homotheties(const WideScene& scene, BeamWorkspace& work, int in
         child.diameter = parent.constant * table.twice.row(HomothetyTable::diameter)[lane];
         child.set = table.sets[static_cast<std::size_t>(lane)];
         child.lane = lane;
-        push_cell(scene, work, child);
+        (void)push_cell(scene, work, child, table.stride, lane);
     }
 }
 
-/// The half axes of the children's volumes, and how far these reach.
+/// How far the half axes of the children's volumes go along a functional.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneReach<V> reach_of_children(D d, const TileView& view, const WideSet& set,
-                                          const Lanes3x3<V>& axes, int i) {
-    const int stride = set.stride;
-    const double* table = set.beams.row(0) + i;
-    const Lanes3<V> over_half = load3(d, table + BeamField::inverse_half * stride, stride);
-    const V half = hn::Set(d, 0.5);
-    const V radius = hn::Mul(half, hn::LoadU(d, set.twice.row(ChildField::diameter) + i));
-    const auto box = hn::Lt(half, hn::LoadU(d, table + BeamField::box * stride));
-    const auto along = [&](const glm::dvec3& way) HWY_ATTR {
-        const Lanes3<V> w = broadcast(d, &way.x);
-        const Lanes3<V> a{dot(axes.row[0], w), dot(axes.row[1], w), dot(axes.row[2], w)};
-        const Lanes3<V> b{hn::Mul(a.x, over_half.x), hn::Mul(a.y, over_half.y),
-                          hn::Mul(a.z, over_half.z)};
-        return hn::IfThenElse(box, hn::Add(hn::Add(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z)),
-                              hn::Mul(radius, hn::Sqrt(dot(b, b))));
-    };
-    return {along(view.x), along(view.y), along(view.s), along(view.along)};
+HWY_INLINE Lanes3<V> axes_along(D d, const Lanes3x3<V>& axes, const glm::dvec3& way) {
+    const Lanes3<V> w = broadcast(d, &way.x);
+    return {dot(axes.row[0], w), dot(axes.row[1], w), dot(axes.row[2], w)};
 }
+
+/// How far the children's volumes reach. All but boxes along the axes count as the balls around
+/// them, as in dsp_kernels/beam_cell.hpp.
+template <class D, class V = hn::VFromD<D>>
+class ChildReach {
+  public:
+    HWY_INLINE ChildReach(D d, const WideSet& set, int i)
+        : over_half_(load3(d, set.beams.row(BeamField::inverse_half) + i, set.stride)),
+          radius_(hn::Mul(hn::Set(d, 0.5), hn::LoadU(d, set.twice.row(ChildField::diameter) + i))),
+          box_(hn::LoadU(d, set.beams.row(BeamField::box) + i)) {}
+    /// Given how far the half axes go.
+    HWY_INLINE V of(D d, const Lanes3<V>& a) const {
+        const Lanes3<V> b{hn::Mul(a.x, over_half_.x), hn::Mul(a.y, over_half_.y),
+                          hn::Mul(a.z, over_half_.z)};
+        return hn::IfThenElse(hn::Lt(hn::Zero(d), box_),
+                              hn::Add(hn::Add(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z)),
+                              hn::Mul(radius_, hn::Sqrt(dot(b, b))));
+    }
+
+  private:
+    Lanes3<V> over_half_;
+    V radius_;
+    V box_;
+};
 
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE V diameters_of_children(D d, const WideSet& set, const BeamCell& parent,
@@ -234,7 +393,7 @@ HWY_INLINE V diameters_of_children(D d, const WideSet& set, const BeamCell& pare
 
 template <class D>
 HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& set,
-                               const BeamCell& parent, double* rows, int i) {
+                               const BeamCell& parent, bool ball, double* rows, int i) {
     using V = hn::VFromD<D>;
     const int stride = set.stride;
     const double* outer = work.axes[static_cast<std::size_t>(parent.axes)].data();
@@ -247,8 +406,16 @@ HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& se
     const Lanes3<V> center =
         add(broadcast(d, &parent.center.x),
             transform(load3(d, table + BeamField::offset * stride, stride), frame));
-    see_cells(d, work.view, center, reach_of_children(d, work.view, set, axes, i),
-              hn::Set(d, parent.key), rows + i, stride);
+    const TileView& view = work.view;
+    const ChildReach<D> reach(d, set, i);
+    const Lanes3<V> x = axes_along(d, axes, view.x), y = axes_along(d, axes, view.y),
+                    s = axes_along(d, axes, view.s);
+    const LanePlace<V> place =
+        see_cells(d, view, center,
+                  LaneReach<V>{reach.of(d, x), reach.of(d, y), reach.of(d, s),
+                               reach.of(d, axes_along(d, axes, view.along))},
+                  hn::Set(d, parent.key), rows + i, stride);
+    cast_cells(d, place, x, y, s, ball, rows + i, stride);
     for (int r = 0; r < 3; ++r) {
         store3(axes.row[r], d, rows + (BeamRows::axes + 3 * r) * stride + i, stride);
     }
@@ -261,10 +428,11 @@ inline void open_beam_cell(const WideScene& scene, BeamWorkspace& work, int inde
     const hn::ScalableTag<double> d;
     const BeamCell parent = work.cells[static_cast<std::size_t>(index)];
     const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
+    const bool ball = scene.objects[static_cast<std::size_t>(parent.object)].spheres;
     double* rows = work.scratch.get();
     work.tested += static_cast<std::uint64_t>(set.count);
     for (int i = 0; i < set.count; i += static_cast<int>(hn::Lanes(d))) {
-        place_children(d, work, set, parent, rows, i);
+        place_children(d, work, set, parent, ball, rows, i);
     }
     const std::uint64_t wanted = parent.pixels & work.open;
     const auto row = [&](int i, int lane) {
@@ -283,11 +451,11 @@ inline void open_beam_cell(const WideScene& scene, BeamWorkspace& work, int inde
         child.set = set.sets[static_cast<std::size_t>(lane)];
         child.lane = lane;
         child.axes = static_cast<int>(work.axes.size());
+        if (!push_cell(scene, work, child, set.stride, lane)) continue;
         std::array<double, 9>& axes = work.axes.emplace_back();
         for (int i = 0; i < 9; ++i) {
             axes[static_cast<std::size_t>(i)] = row(BeamRows::axes + i, lane);
         }
-        push_cell(scene, work, child);
     }
 }
 
@@ -331,7 +499,7 @@ inline void push_beam_object(const WideScene& scene, BeamWorkspace& work, int in
             own[i] = axes[static_cast<int>(i / 3)][static_cast<int>(i % 3)];
         }
     }
-    push_cell(scene, work, cell);
+    (void)push_cell(scene, work, cell, 1, 0);
 }
 
 }  // namespace pxm::host::wide::HWY_NAMESPACE

@@ -21,7 +21,7 @@ HWY_EXPORT(search_tile);
 HWY_EXPORT(see_along);
 
 void prepare_beams(const WideScene& scene, BeamWorkspace& work) {
-    constexpr std::size_t rows = 18;  // of BeamRows
+    constexpr std::size_t rows = 26;  // of BeamRows
     int widest = table_step;
     for (const WideSet& set : scene.sets) widest = std::max(widest, set.stride);
     work.scratch = hwy::AllocateAligned<double>(static_cast<std::size_t>(widest) * rows);
@@ -31,6 +31,7 @@ void prepare_beams(const WideScene& scene, BeamWorkspace& work) {
 void search_beams(const WideScene& scene, BeamWorkspace& work) {
     work.cells.clear();
     work.axes.clear();
+    work.covered.clear();
     work.queue.clear();
     work.path.levels = 0;
     work.tested = 0;

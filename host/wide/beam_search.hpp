@@ -37,6 +37,14 @@ struct BeamCell {
     int lane;    // in the parent's set
     std::uint32_t level;
     bool terminal;
+    int first_place;        // of a terminal cell, in the list of what is covered
+    int end_place;
+};
+
+/// Places of a pixel that a terminal cell covers, a bit each.
+struct CoveredPlaces {
+    int pixel;
+    std::uint32_t places;
 };
 
 /// A cell that shows in a pixel, as in dsp_kernels/sight_list.hpp.
@@ -59,6 +67,8 @@ struct PixelBeam {
     int sight_count = 0;
     std::array<BeamSight, static_cast<std::size_t>(most_sights)> sights;
     std::array<double, static_cast<std::size_t>(most_places)> left;
+    alignas(64) float columns[most_places];  // of the places, from the first one, in the picture
+    alignas(64) float rows[most_places];
 };
 
 /// From scene units to the tile's picture: X = x . scene point + x0 and so on; a point is seen in
@@ -104,10 +114,11 @@ struct BeamWorkspace {
     std::uint64_t open = 0;  // pixels with an open place
     std::array<PixelBeam, static_cast<std::size_t>(bundle_rays)> pixels;
     int places = 0;
-    alignas(64) float place_x[most_places];  // from the first one, in pixels
-    alignas(64) float place_y[most_places];
+    std::array<double, static_cast<std::size_t>(most_places)> place_x;  // from the first one, in
+    std::array<double, static_cast<std::size_t>(most_places)> place_y;  // pixels
     std::vector<BeamCell> cells;
     std::vector<std::array<double, 9>> axes;
+    std::vector<CoveredPlaces> covered;
     std::vector<std::pair<double, int>> queue;  // (key, cell), a heap
     std::vector<BeamReach> reaches;             // of objects of homotheties
     hwy::AlignedFreeUniquePtr<double[]> scratch;

@@ -50,18 +50,29 @@ void frame_beam(PixelBeam& beam, const CompiledCamera& camera) {
     beam.yy = glm::dot(camera.down, beam.down);
 }
 
-/// How far from a pixel's corner its places may be seen: a beam is no narrower than its pixel.
-void widen(TileView& view, const BeamWorkspace& work, const PixelBeam& beam,
-           const glm::dvec2& first, double pixel) {
-    constexpr double rounding = 1e-6;
-    for (int i = 0; i < work.places; ++i) {
-        const double y = static_cast<double>(work.place_y[i]) * pixel / beam.yy;
-        const double x = (static_cast<double>(work.place_x[i]) * pixel - beam.xy * y) / beam.xx;
-        view.low_x = std::min(view.low_x, first.x + x - rounding);
-        view.high_x = std::max(view.high_x, first.x + x + rounding);
-        view.low_y = std::min(view.low_y, first.y + y - rounding);
-        view.high_y = std::max(view.high_y, first.y + y + rounding);
+/// Where a pixel's places are in the picture if p is `pixel` where S is 1: a beam is no narrower than
+/// its pixel.
+void spread_places(TileView& view, const BeamWorkspace& work, PixelBeam& beam,
+                   const glm::dvec2& first, double pixel) {
+    constexpr double rounding = 1e-5;
+    const double x_of_x = pixel / beam.xx;
+    const double y_of_y = pixel / beam.yy;
+    const double x_of_y = -beam.xy / beam.xx * y_of_y;
+    float low_x = 0, high_x = 0, low_y = 0, high_y = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(work.places); ++i) {
+        const auto x = static_cast<float>(work.place_x[i] * x_of_x + work.place_y[i] * x_of_y);
+        const auto y = static_cast<float>(work.place_y[i] * y_of_y);
+        beam.columns[i] = x;
+        beam.rows[i] = y;
+        low_x = std::min(low_x, x);
+        high_x = std::max(high_x, x);
+        low_y = std::min(low_y, y);
+        high_y = std::max(high_y, y);
     }
+    view.low_x = std::min(view.low_x, first.x + static_cast<double>(low_x) - rounding);
+    view.high_x = std::max(view.high_x, first.x + static_cast<double>(high_x) + rounding);
+    view.low_y = std::min(view.low_y, first.y + static_cast<double>(low_y) - rounding);
+    view.high_y = std::max(view.high_y, first.y + static_cast<double>(high_y) + rounding);
 }
 
 /// The ray through a place, given from the first one in pixels.
@@ -79,8 +90,8 @@ void TileTracer::prepare_places() {
     beams_->places = static_cast<int>(scene_.samples.size());
     for (std::size_t i = 0; i < scene_.samples.size(); ++i) {
         const glm::dvec2 place = scene_.samples[i] - scene_.samples[0];
-        beams_->place_x[i] = static_cast<float>(place.x);
-        beams_->place_y[i] = static_cast<float>(place.y);
+        beams_->place_x[i] = place.x;
+        beams_->place_y[i] = place.y;
     }
     prepare_beams(wide_, *beams_);
 }
@@ -125,7 +136,7 @@ void TileTracer::aim_beams() {
         // p where S is 1, at the depth that is nearest.
         const double away = view.perspective ? 1 / glm::dot(view.s, beam.ray.direction) : 0;
         const double p = beam.ray.pixel_at_origin + beam.ray.pixel_growth * away;
-        widen(view, *beams_, beam, place_, p);
+        spread_places(view, *beams_, beam, place_, p);
         Lane& lane = lanes_[static_cast<std::size_t>(i)];
         lane = {i, 1, scene_.bounces, beam.ray, {}};
         if (scene_.planes.empty()) continue;
