@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <glm/geometric.hpp>
 
@@ -37,14 +36,24 @@ struct BeamRows {
     static constexpr int column = 9;
     static constexpr int row = 10;
     static constexpr int shadow = 11;  // 6, see CellShadow
-    static constexpr int axes = 17;    // 9
-    static constexpr int count = 26;
+    static constexpr int near = 17;
+    static constexpr int depth = 18;
+    static constexpr int axes = 19;  // 9
+    static constexpr int count = 28;
 };
 
 template <class V>
 struct LaneReach {
     V x, y, s, z;
 };
+
+/// The way to the centres of cells: along it their own pixels look.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE Lanes3<V> way_to(D d, const TileView& view, const Lanes3<V>& center) {
+    if (!view.perspective) return broadcast(d, &view.along.x);
+    const V inverse = hn::Div(hn::Set(d, 1.0), hn::Sqrt(dot(center, center)));
+    return {hn::Mul(center.x, inverse), hn::Mul(center.y, inverse), hn::Mul(center.z, inverse)};
+}
 
 /// Pixels between two columns (or rows) of the picture, counted from the tile's first.
 template <class V>
@@ -105,6 +114,8 @@ HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& ce
                row(BeamRows::last_column));
     hn::StoreU(lines.first, d, row(BeamRows::first_row));
     hn::StoreU(lines.last, d, row(BeamRows::last_row));
+    hn::StoreU(near, d, row(BeamRows::near));
+    hn::StoreU(depth, d, row(BeamRows::depth));
     const V over_s = hn::Div(one, s);
     const LanePlace<V> place{hn::Mul(x, over_s), hn::Mul(y, over_s), over_s};
     hn::StoreU(place.column, d, row(BeamRows::column));
@@ -174,7 +185,8 @@ inline CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, const 
     shadow.column = at(BeamRows::column);
     shadow.row = at(BeamRows::row);
     for (int i = 0; i < 6; ++i) shadow.form[i] = at(BeamRows::shadow + i);
-    const double p = scene.camera.pixel_at_eye + scene.camera.pixel_growth * cell.key;
+    const double depth = rows[static_cast<std::ptrdiff_t>(BeamRows::depth) * stride + lane];
+    const double p = scene.camera.pixel_at_eye + scene.camera.pixel_growth * depth;
     shadow.spread = p < object.smallest_pixel ? static_cast<float>(object.smallest_pixel / p) : 1;
     shadow.ball = object.spheres;
     return shadow;
@@ -188,7 +200,10 @@ HWY_INLINE std::uint32_t places_in(const BeamWorkspace& work, const CellShadow& 
     const PixelBeam& beam = work.pixels[pixel];
     const V x0 = hn::Set(d, static_cast<float>(beam.column) - shadow.column);
     const V y0 = hn::Set(d, static_cast<float>(beam.row) - shadow.row);
-    const V spread = hn::Set(d, shadow.spread), one = hn::Set(d, 1.0F);
+    // p grows with the depth along the pixel's own ray.
+    const float deeper = 1 + beam.deeper_x * (shadow.column - static_cast<float>(beam.column)) +
+                         beam.deeper_y * (shadow.row - static_cast<float>(beam.row));
+    const V spread = hn::Set(d, shadow.spread * deeper), one = hn::Set(d, 1.0F);
     const auto form = [&](int i) HWY_ATTR { return hn::Set(d, shadow.form[i]); };
     std::uint32_t inside = 0;
     for (int i = 0; i < work.places; i += static_cast<int>(hn::Lanes(d))) {
@@ -207,9 +222,11 @@ HWY_INLINE std::uint32_t places_in(const BeamWorkspace& work, const CellShadow& 
             }
         }
         std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, here, bits);
+        const std::size_t bytes = hn::StoreMaskBits(d, here, bits);
         std::uint32_t word = 0;
-        std::memcpy(&word, bits, sizeof(word));
+        for (std::size_t k = 0; k < bytes; ++k) {
+            word |= static_cast<std::uint32_t>(bits[k]) << (8 * k);
+        }
         inside |= word << i;
     }
     return inside;
@@ -262,6 +279,10 @@ inline bool find_places(BeamWorkspace& work, const CellShadow& shadow, BeamCell&
                     cell.diameter <= terminal_size(scene, cell.object, cell.key);
     if (cell.level > most_beam_levels) work.given_up = true;
     if (cell.terminal) {
+        const double* rows = work.scratch.get();
+        if (!(0 < rows[static_cast<std::ptrdiff_t>(BeamRows::near) * stride + lane])) {
+            work.given_up = true;  // the eye is in it, or beside it
+        }
         const CellShadow shadow = shadow_of(scene, cell, work.scratch.get(), stride, lane);
         if (!find_places(work, shadow, cell)) return false;
     }
@@ -299,9 +320,18 @@ HWY_INLINE void place_homotheties(D d, const WideScene& scene, BeamWorkspace& wo
     const V size = hn::Mul(outer, hn::LoadU(d, table.twice.row(HomothetyTable::scale) + i));
     const auto reach = [&](double x) HWY_ATTR { return hn::Mul(size, hn::Set(d, x)); };
     double* rows = work.scratch.get() + i;
+    V along = size;
+    if (object.spheres) {
+        along = reach(unit.z);
+    } else {
+        const Lanes3<V> way = way_to(d, work.view, center);
+        along = hn::Mul(size, hn::Add(hn::Add(hn::Abs(dot(turn.row[0], way)),
+                                              hn::Abs(dot(turn.row[1], way))),
+                                      hn::Abs(dot(turn.row[2], way))));
+    }
     const LanePlace<V> place =
         see_cells(d, work.view, center,
-                  LaneReach<V>{reach(unit.x), reach(unit.y), reach(unit.s), reach(unit.z)},
+                  LaneReach<V>{reach(unit.x), reach(unit.y), reach(unit.s), along},
                   hn::Set(d, parent.key), rows, table.stride);
     const auto axes_along = [&](const glm::dvec3& way) HWY_ATTR {
         return Lanes3<V>{reach(glm::dot(axes[0], way)), reach(glm::dot(axes[1], way)),
@@ -408,12 +438,14 @@ HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& se
             transform(load3(d, table + BeamField::offset * stride, stride), frame));
     const TileView& view = work.view;
     const ChildReach<D> reach(d, set, i);
+    const Lanes3<V> way = way_to(d, view, center);
     const Lanes3<V> x = axes_along(d, axes, view.x), y = axes_along(d, axes, view.y),
                     s = axes_along(d, axes, view.s);
     const LanePlace<V> place =
         see_cells(d, view, center,
                   LaneReach<V>{reach.of(d, x), reach.of(d, y), reach.of(d, s),
-                               reach.of(d, axes_along(d, axes, view.along))},
+                               reach.of(d, Lanes3<V>{dot(axes.row[0], way), dot(axes.row[1], way),
+                                                     dot(axes.row[2], way)})},
                   hn::Set(d, parent.key), rows + i, stride);
     cast_cells(d, place, x, y, s, ball, rows + i, stride);
     for (int r = 0; r < 3; ++r) {
@@ -476,9 +508,14 @@ inline void push_beam_object(const WideScene& scene, BeamWorkspace& work, int in
     }
     double* rows = work.scratch.get();
     const auto lane = [&](double x) { return hn::Set(d, x); };
-    see_cells(d, work.view, broadcast(d, &object.from_unit.translation.x),
-              LaneReach<V>{lane(reach.x), lane(reach.y), lane(reach.s), lane(reach.z)}, hn::Zero(d),
-              rows, 1);
+    const LanePlace<V> place =
+        see_cells(d, work.view, broadcast(d, &object.from_unit.translation.x),
+                  LaneReach<V>{lane(reach.x), lane(reach.y), lane(reach.s), lane(reach.z)},
+                  hn::Zero(d), rows, 1);
+    const Lanes3x3<V> half{
+        {broadcast(d, &axes[0].x), broadcast(d, &axes[1].x), broadcast(d, &axes[2].x)}};
+    cast_cells(d, place, axes_along(d, half, work.view.x), axes_along(d, half, work.view.y),
+               axes_along(d, half, work.view.s), object.spheres, rows, 1);
     ++work.tested;
     BeamCell cell{};
     cell.pixels = pixels_between(rows, 1, 0) & work.open;

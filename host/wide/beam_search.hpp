@@ -61,6 +61,7 @@ struct PixelBeam {
     double column, row;        // of the first place, from the tile's middle
     double xx, xy, yy;         // a step of (columns, rows) in the picture is (xx c + xy r, yy r)
                                // beside the ray
+    float deeper_x, deeper_y;  // by what share a point a column (a row) away is deeper along the ray
     double end;                // nothing shows beyond
     std::uint32_t open;        // places that something behind may show at
     std::uint32_t tested = 0;  // cells whose places were looked at

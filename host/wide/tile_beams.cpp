@@ -133,9 +133,13 @@ void TileTracer::aim_beams() {
         beam.tested = 0;
         beam.sight_count = 0;
         std::fill_n(beam.left.begin(), beams_->places, 1.0);
-        // p where S is 1, at the depth that is nearest.
-        const double away = view.perspective ? 1 / glm::dot(view.s, beam.ray.direction) : 0;
-        const double p = beam.ray.pixel_at_origin + beam.ray.pixel_growth * away;
+        const double share = view.perspective ? glm::dot(view.s, beam.ray.direction) : 0;
+        double p = beam.ray.pixel_at_origin;  // where S is 1
+        if (view.perspective) p += beam.ray.pixel_growth / share;
+        beam.deeper_x =
+            static_cast<float>(share * glm::dot(scene_.camera.across, beam.ray.direction));
+        beam.deeper_y =
+            static_cast<float>(share * glm::dot(scene_.camera.down, beam.ray.direction));
         spread_places(view, *beams_, beam, place_, p);
         Lane& lane = lanes_[static_cast<std::size_t>(i)];
         lane = {i, 1, scene_.bounces, beam.ray, {}};
