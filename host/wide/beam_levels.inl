@@ -38,8 +38,13 @@ struct BeamRows {
     static constexpr int shadow = 11;  // 6, see CellShadow
     static constexpr int near = 17;
     static constexpr int depth = 18;
-    static constexpr int axes = 19;  // 9
-    static constexpr int count = 28;
+    static constexpr int over_s = 19;
+    static constexpr int left = 20;  // the rectangle around, in columns and rows
+    static constexpr int right = 21;
+    static constexpr int top = 22;
+    static constexpr int bottom = 23;
+    static constexpr int axes = 24;  // 9
+    static constexpr int count = 33;
 };
 
 template <class V>
@@ -120,6 +125,11 @@ HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& ce
     const LanePlace<V> place{hn::Mul(x, over_s), hn::Mul(y, over_s), over_s};
     hn::StoreU(place.column, d, row(BeamRows::column));
     hn::StoreU(place.row, d, row(BeamRows::row));
+    hn::StoreU(over_s, d, row(BeamRows::over_s));
+    hn::StoreU(seen_x.first, d, row(BeamRows::left));
+    hn::StoreU(seen_x.last, d, row(BeamRows::right));
+    hn::StoreU(seen_y.first, d, row(BeamRows::top));
+    hn::StoreU(seen_y.last, d, row(BeamRows::bottom));
     return place;
 }
 
@@ -167,12 +177,20 @@ HWY_INLINE void cast_cells(D d, const LanePlace<V>& place, const Lanes3<V>& axes
     edge(2, x.z, y.z, hn::Add(zx, yz));
 }
 
+/// How far the half axes go along a functional.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE Lanes3<V> axes_along(D d, const Lanes3x3<V>& axes, const glm::dvec3& way) {
+    const Lanes3<V> w = broadcast(d, &way.x);
+    return {dot(axes.row[0], w), dot(axes.row[1], w), dot(axes.row[2], w)};
+}
+
 /// The shadow of a small cell, as cast_cells() has it.
 struct CellShadow {
     float column, row;
     float form[6];
     float spread;  // of the places: p may not be smaller than an object allows
     bool ball;
+    bool large;  // so that pixels see it from different sides
 };
 
 inline CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, const double* rows,
@@ -189,47 +207,100 @@ inline CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, const 
     const double p = scene.camera.pixel_at_eye + scene.camera.pixel_growth * depth;
     shadow.spread = p < object.smallest_pixel ? static_cast<float>(object.smallest_pixel / p) : 1;
     shadow.ball = object.spheres;
+    constexpr double most_columns = 1;
+    const double half = rows[static_cast<std::ptrdiff_t>(BeamRows::right) * stride + lane] -
+                        rows[static_cast<std::ptrdiff_t>(BeamRows::left) * stride + lane];
+    shadow.large = most_columns < half;
     return shadow;
 }
 
-/// The places of a pixel that lie in a shadow, a bit each.
-HWY_INLINE std::uint32_t places_in(const BeamWorkspace& work, const CellShadow& shadow,
-                                   std::size_t pixel) {
+/// The shadow of a large cell along a pixel's own ray. Its half axes are in the scratch table, or
+/// those of its object in its size.
+inline void turn_shadow(const WideScene& scene, const BeamWorkspace& work, const BeamCell& cell,
+                        const PixelBeam& pixel, int stride, int lane, CellShadow& shadow) {
+    const hn::CappedTag<double, 1> d;
+    using V = hn::VFromD<decltype(d)>;
+    const auto at = [&](int i) {
+        return work.scratch.get()[static_cast<std::ptrdiff_t>(i) * stride + lane];
+    };
+    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
+    glm::dmat3 axes = object.from_unit.linear * cell.size;
+    for (int i = 0; i < 9 && !object.fixed_direction && cell.parent >= 0; ++i) {
+        axes[i / 3][i % 3] = at(BeamRows::axes + i);
+    }
+    const Lanes3x3<V> lanes{
+        {broadcast(d, &axes[0].x), broadcast(d, &axes[1].x), broadcast(d, &axes[2].x)}};
+    const LanePlace<V> place{hn::Set(d, pixel.column), hn::Set(d, pixel.row),
+                             hn::Set(d, at(BeamRows::over_s))};
+    double rows[BeamRows::shadow + 6];
+    cast_cells(d, place, axes_along(d, lanes, work.view.x), axes_along(d, lanes, work.view.y),
+               axes_along(d, lanes, work.view.s), object.spheres, rows, 1);
+    for (int i = 0; i < 6; ++i) shadow.form[i] = static_cast<float>(rows[BeamRows::shadow + i]);
+}
+
+/// The places of a pixel of which `here(d, x, y)` is true, a bit each: where they are from a point
+/// of the picture, all `spread` times as far apart.
+template <class Here>
+HWY_INLINE std::uint32_t places_where(const BeamWorkspace& work, const PixelBeam& beam,
+                                      float column, float row, float spread, const Here& here) {
     const hn::CappedTag<float, most_places> d;
     using V = hn::VFromD<decltype(d)>;
-    const PixelBeam& beam = work.pixels[pixel];
-    const V x0 = hn::Set(d, static_cast<float>(beam.column) - shadow.column);
-    const V y0 = hn::Set(d, static_cast<float>(beam.row) - shadow.row);
+    const float right = static_cast<float>(beam.column) - column;
+    const float below = static_cast<float>(beam.row) - row;
+    const V x0 = hn::Set(d, right), y0 = hn::Set(d, below);
     // p grows with the depth along the pixel's own ray.
-    const float deeper = 1 + beam.deeper_x * (shadow.column - static_cast<float>(beam.column)) +
-                         beam.deeper_y * (shadow.row - static_cast<float>(beam.row));
-    const V spread = hn::Set(d, shadow.spread * deeper), one = hn::Set(d, 1.0F);
-    const auto form = [&](int i) HWY_ATTR { return hn::Set(d, shadow.form[i]); };
-    std::uint32_t inside = 0;
+    const V apart = hn::Set(d, spread * (1 - beam.deeper_x * right - beam.deeper_y * below));
+    std::uint32_t found = 0;
     for (int i = 0; i < work.places; i += static_cast<int>(hn::Lanes(d))) {
-        const V x = hn::Add(hn::Mul(hn::Load(d, beam.columns + i), spread), x0);
-        const V y = hn::Add(hn::Mul(hn::Load(d, beam.rows + i), spread), y0);
-        auto here = hn::FirstN(d, static_cast<std::size_t>(work.places - i));
-        if (shadow.ball) {
-            const V square =
-                hn::Add(hn::Mul(x, hn::Add(hn::Mul(form(0), x), hn::Mul(form(1), y))),
-                        hn::Mul(hn::Mul(form(2), y), y));
-            here = hn::And(here, hn::Le(square, one));
-        } else {
-            for (int k = 0; k < 3; ++k) {
-                const V aside = hn::Add(hn::Mul(x, form(2 * k)), hn::Mul(y, form(2 * k + 1)));
-                here = hn::And(here, hn::Le(hn::Abs(aside), one));
-            }
-        }
+        const V x = hn::Add(hn::Mul(hn::Load(d, beam.columns + i), apart), x0);
+        const V y = hn::Add(hn::Mul(hn::Load(d, beam.rows + i), apart), y0);
+        const auto met = hn::And(here(d, x, y),
+                                 hn::FirstN(d, static_cast<std::size_t>(work.places - i)));
         std::uint8_t bits[8] = {};
-        const std::size_t bytes = hn::StoreMaskBits(d, here, bits);
+        const std::size_t bytes = hn::StoreMaskBits(d, met, bits);
         std::uint32_t word = 0;
         for (std::size_t k = 0; k < bytes; ++k) {
             word |= static_cast<std::uint32_t>(bits[k]) << (8 * k);
         }
-        inside |= word << i;
+        found |= word << i;
     }
-    return inside;
+    return found;
+}
+
+/// Those that lie in a shadow.
+HWY_INLINE std::uint32_t places_in(const BeamWorkspace& work, const CellShadow& shadow,
+                                   std::size_t pixel) {
+    const PixelBeam& beam = work.pixels[pixel];
+    const float* form = shadow.form;
+    if (shadow.ball) {
+        return places_where(work, beam, shadow.column, shadow.row, shadow.spread,
+                            [&](auto d, auto x, auto y) HWY_ATTR {
+                                const auto square = hn::Add(
+                                    hn::Mul(x, hn::Add(hn::Mul(hn::Set(d, form[0]), x),
+                                                       hn::Mul(hn::Set(d, form[1]), y))),
+                                    hn::Mul(hn::Mul(hn::Set(d, form[2]), y), y));
+                                return hn::Le(square, hn::Set(d, 1.0F));
+                            });
+    }
+    return places_where(
+        work, beam, shadow.column, shadow.row, shadow.spread, [&](auto d, auto x, auto y) HWY_ATTR {
+            const auto inside = [&](int i) HWY_ATTR {
+                const auto aside = hn::Add(hn::Mul(x, hn::Set(d, form[2 * i])),
+                                           hn::Mul(y, hn::Set(d, form[2 * i + 1])));
+                return hn::Le(hn::Abs(aside), hn::Set(d, 1.0F));
+            };
+            return hn::And(hn::And(inside(0), inside(1)), inside(2));
+        });
+}
+
+/// Those in the rectangle around a cell.
+HWY_INLINE std::uint32_t places_around(const BeamWorkspace& work, const Outline& outline,
+                                       std::size_t pixel) {
+    return places_where(work, work.pixels[pixel], outline.column, outline.row, 1,
+                        [&](auto d, auto x, auto y) HWY_ATTR {
+                            return hn::And(hn::Le(hn::Abs(x), hn::Set(d, outline.columns)),
+                                           hn::Le(hn::Abs(y), hn::Set(d, outline.rows)));
+                        });
 }
 
 /// The pixels of a rectangle, a bit each.
@@ -256,18 +327,49 @@ HWY_INLINE double terminal_size(const WideScene& scene, int object, double depth
 inline constexpr std::uint32_t most_beam_levels = 120;
 
 /// Lists the open places that a small cell covers. False if there are none.
-inline bool find_places(BeamWorkspace& work, const CellShadow& shadow, BeamCell& cell) {
+inline bool find_places(const WideScene& scene, BeamWorkspace& work, BeamCell& cell, int stride,
+                        int lane) {
+    CellShadow shadow = shadow_of(scene, cell, work.scratch.get(), stride, lane);
     cell.first_place = static_cast<int>(work.covered.size());
     for (std::uint64_t rest = cell.pixels; rest != 0; rest &= rest - 1) {
         const int i = std::countr_zero(rest);
         PixelBeam& pixel = work.pixels[static_cast<std::size_t>(i)];
         ++pixel.tested;
+        if (shadow.large) turn_shadow(scene, work, cell, pixel, stride, lane, shadow);
         const std::uint32_t where =
             places_in(work, shadow, static_cast<std::size_t>(i)) & pixel.open;
         if (where != 0 && !(pixel.end < cell.key)) work.covered.push_back({i, where});
     }
     cell.end_place = static_cast<int>(work.covered.size());
     return cell.first_place < cell.end_place;
+}
+
+/// The rectangle around a cell, as far as floats tell.
+HWY_INLINE Outline outline_of(const BeamWorkspace& work, int stride, int lane) {
+    constexpr double rounding = 1e-5;  // of a column
+    const double* rows = work.scratch.get();
+    const auto at = [&](int i) { return rows[static_cast<std::ptrdiff_t>(i) * stride + lane]; };
+    const auto middle = [&](int low, int high) {
+        return static_cast<float>((at(low) + at(high)) / 2);
+    };
+    const auto half = [&](int low, int high) {
+        return static_cast<float>((at(high) - at(low)) / 2 + rounding);
+    };
+    return {middle(BeamRows::left, BeamRows::right), middle(BeamRows::top, BeamRows::bottom),
+            half(BeamRows::left, BeamRows::right), half(BeamRows::top, BeamRows::bottom)};
+}
+
+/// The pixels that have an open place behind the rectangle around a cell.
+inline std::uint64_t pixels_behind(const BeamWorkspace& work, const BeamCell& cell) {
+    const std::uint64_t wanted = cell.pixels & work.open;
+    std::uint64_t behind = 0;
+    for (std::uint64_t rest = wanted; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        if ((places_around(work, cell.outline, i) & work.pixels[i].open) != 0) {
+            behind |= std::uint64_t{1} << i;
+        }
+    }
+    return behind;
 }
 
 /// Puts a cell, whose rows are in the scratch table, into the queue, unless it is a small one that
@@ -283,8 +385,9 @@ inline bool find_places(BeamWorkspace& work, const CellShadow& shadow, BeamCell&
         if (!(0 < rows[static_cast<std::ptrdiff_t>(BeamRows::near) * stride + lane])) {
             work.given_up = true;  // the eye is in it, or beside it
         }
-        const CellShadow shadow = shadow_of(scene, cell, work.scratch.get(), stride, lane);
-        if (!find_places(work, shadow, cell)) return false;
+        if (!find_places(scene, work, cell, stride, lane)) return false;
+    } else {
+        cell.outline = outline_of(work, stride, lane);
     }
     work.queue.emplace_back(cell.key, static_cast<int>(work.cells.size()));
     std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
@@ -351,7 +454,7 @@ inline void open_homotheties(const WideScene& scene, BeamWorkspace& work, int in
         place_homotheties(d, scene, work, parent, i);
     }
     const double* rows = work.scratch.get();
-    const std::uint64_t wanted = parent.pixels & work.open;
+    const std::uint64_t wanted = parent.pixels;
     const auto row = [&](int i, int lane) {
         return rows[static_cast<std::ptrdiff_t>(i) * table.stride + lane];
     };
@@ -370,13 +473,6 @@ inline void open_homotheties(const WideScene& scene, BeamWorkspace& work, int in
         child.lane = lane;
         (void)push_cell(scene, work, child, table.stride, lane);
     }
-}
-
-/// How far the half axes of the children's volumes go along a functional.
-template <class D, class V = hn::VFromD<D>>
-HWY_INLINE Lanes3<V> axes_along(D d, const Lanes3x3<V>& axes, const glm::dvec3& way) {
-    const Lanes3<V> w = broadcast(d, &way.x);
-    return {dot(axes.row[0], w), dot(axes.row[1], w), dot(axes.row[2], w)};
 }
 
 /// How far the children's volumes reach. All but boxes along the axes count as the balls around
@@ -466,7 +562,7 @@ inline void open_beam_cell(const WideScene& scene, BeamWorkspace& work, int inde
     for (int i = 0; i < set.count; i += static_cast<int>(hn::Lanes(d))) {
         place_children(d, work, set, parent, ball, rows, i);
     }
-    const std::uint64_t wanted = parent.pixels & work.open;
+    const std::uint64_t wanted = parent.pixels;
     const auto row = [&](int i, int lane) {
         return rows[static_cast<std::ptrdiff_t>(i) * set.stride + lane];
     };

@@ -75,11 +75,14 @@ inline void search_tile(const WideScene& scene, BeamWorkspace& work) {
         const int index = work.queue.front().second;
         std::pop_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
         work.queue.pop_back();
-        const BeamCell& cell = work.cells[static_cast<std::size_t>(index)];
-        if ((cell.pixels & work.open) == 0) continue;
+        BeamCell& cell = work.cells[static_cast<std::size_t>(index)];
         if (cell.terminal) {
             show_in_pixels(scene, work, index);
-        } else if (cell.axes < 0) {
+            continue;
+        }
+        cell.pixels = pixels_behind(work, cell);
+        if (cell.pixels == 0) continue;
+        if (cell.axes < 0) {
             open_homotheties(scene, work, index);
         } else {
             open_beam_cell(scene, work, index);

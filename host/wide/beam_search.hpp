@@ -22,6 +22,12 @@ namespace pxm::host::wide {
 inline constexpr int most_places = static_cast<int>(kernels::most_places);
 inline constexpr int most_sights = static_cast<int>(kernels::SightList<double>::capacity);
 
+/// The rectangle around a cell in the picture.
+struct Outline {
+    float column, row;    // its middle
+    float columns, rows;  // half its size
+};
+
 /// A cell as a tile sees it, in scene units from the eye.
 struct BeamCell {
     glm::dvec3 center;     // of its volume
@@ -37,6 +43,7 @@ struct BeamCell {
     int lane;    // in the parent's set
     std::uint32_t level;
     bool terminal;
+    Outline outline;       // unless it is terminal
     int first_place;        // of a terminal cell, in the list of what is covered
     int end_place;
 };
