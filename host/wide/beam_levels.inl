@@ -43,13 +43,14 @@ struct BeamRows {
     static constexpr int right = 21;
     static constexpr int top = 22;
     static constexpr int bottom = 23;
-    static constexpr int axes = 24;  // 9
-    static constexpr int count = 33;
+    static constexpr int nearest = 24;  // no point of the cell is nearer
+    static constexpr int axes = 25;     // 9
+    static constexpr int count = 34;
 };
 
 template <class V>
 struct LaneReach {
-    V x, y, s, z;
+    V x, y, s, z, any;
 };
 
 /// The way to the centres of cells: along it their own pixels look.
@@ -126,6 +127,7 @@ HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& ce
     hn::StoreU(place.column, d, row(BeamRows::column));
     hn::StoreU(place.row, d, row(BeamRows::row));
     hn::StoreU(over_s, d, row(BeamRows::over_s));
+    hn::StoreU(hn::Sub(depth, reach.any), d, row(BeamRows::nearest));
     hn::StoreU(seen_x.first, d, row(BeamRows::left));
     hn::StoreU(seen_x.last, d, row(BeamRows::right));
     hn::StoreU(seen_y.first, d, row(BeamRows::top));
@@ -380,16 +382,22 @@ inline std::uint64_t pixels_behind(const BeamWorkspace& work, const BeamCell& ce
     cell.terminal = cell.level == object.levels ||
                     cell.diameter <= terminal_size(scene, cell.object, cell.key);
     if (cell.level > most_beam_levels) work.given_up = true;
+    const auto at = [&](int i) {
+        return work.scratch.get()[static_cast<std::ptrdiff_t>(i) * stride + lane];
+    };
+    const bool around = !(0 < at(BeamRows::near));
+    double first = cell.key;
     if (cell.terminal) {
-        const double* rows = work.scratch.get();
-        if (!(0 < rows[static_cast<std::ptrdiff_t>(BeamRows::near) * stride + lane])) {
-            work.given_up = true;  // the eye is in it, or beside it
-        }
+        if (around) work.given_up = true;  // the eye is in it, or beside it
         if (!find_places(scene, work, cell, stride, lane)) return false;
     } else {
         cell.outline = outline_of(work, stride, lane);
+        // What is seen far from its centre may be nearer than its key.
+        constexpr float small = 2;  // columns
+        cell.large = around || small < cell.outline.columns || small < cell.outline.rows;
+        if (cell.large) first = at(BeamRows::nearest);
     }
-    work.queue.emplace_back(cell.key, static_cast<int>(work.cells.size()));
+    work.queue.emplace_back(first, static_cast<int>(work.cells.size()));
     std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
     work.cells.push_back(cell);
     return true;
@@ -402,8 +410,10 @@ inline double reach_along(const glm::dmat3& axes, bool ball, const glm::dvec3& w
 }
 
 inline BeamReach reach_of(const TileView& view, const glm::dmat3& axes, bool ball) {
+    const glm::dvec3 lengths{glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])};
     return {reach_along(axes, ball, view.x), reach_along(axes, ball, view.y),
-            reach_along(axes, ball, view.s), reach_along(axes, ball, view.along)};
+            reach_along(axes, ball, view.s), reach_along(axes, ball, view.along),
+            lengths.x + lengths.y + lengths.z};
 }
 
 /// Children of homotheties: a centre and a size.
@@ -434,8 +444,8 @@ HWY_INLINE void place_homotheties(D d, const WideScene& scene, BeamWorkspace& wo
     }
     const LanePlace<V> place =
         see_cells(d, work.view, center,
-                  LaneReach<V>{reach(unit.x), reach(unit.y), reach(unit.s), along},
-                  hn::Set(d, parent.key), rows, table.stride);
+                  LaneReach<V>{reach(unit.x), reach(unit.y), reach(unit.s), along, reach(unit.any)},
+                  hn::Set(d, parent.large ? 0.0 : parent.key), rows, table.stride);
     const auto axes_along = [&](const glm::dvec3& way) HWY_ATTR {
         return Lanes3<V>{reach(glm::dot(axes[0], way)), reach(glm::dot(axes[1], way)),
                          reach(glm::dot(axes[2], way))};
@@ -535,14 +545,17 @@ HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& se
     const TileView& view = work.view;
     const ChildReach<D> reach(d, set, i);
     const Lanes3<V> way = way_to(d, view, center);
+    const auto length = [](const Lanes3<V>& v) HWY_ATTR { return hn::Sqrt(dot(v, v)); };
+    const V lengths =
+        hn::Add(hn::Add(length(axes.row[0]), length(axes.row[1])), length(axes.row[2]));
     const Lanes3<V> x = axes_along(d, axes, view.x), y = axes_along(d, axes, view.y),
                     s = axes_along(d, axes, view.s);
     const LanePlace<V> place =
         see_cells(d, view, center,
                   LaneReach<V>{reach.of(d, x), reach.of(d, y), reach.of(d, s),
                                reach.of(d, Lanes3<V>{dot(axes.row[0], way), dot(axes.row[1], way),
-                                                     dot(axes.row[2], way)})},
-                  hn::Set(d, parent.key), rows + i, stride);
+                                                     dot(axes.row[2], way)}), lengths},
+                  hn::Set(d, parent.large ? 0.0 : parent.key), rows + i, stride);
     cast_cells(d, place, x, y, s, ball, rows + i, stride);
     for (int r = 0; r < 3; ++r) {
         store3(axes.row[r], d, rows + (BeamRows::axes + 3 * r) * stride + i, stride);
@@ -606,7 +619,7 @@ inline void push_beam_object(const WideScene& scene, BeamWorkspace& work, int in
     const auto lane = [&](double x) { return hn::Set(d, x); };
     const LanePlace<V> place =
         see_cells(d, work.view, broadcast(d, &object.from_unit.translation.x),
-                  LaneReach<V>{lane(reach.x), lane(reach.y), lane(reach.s), lane(reach.z)},
+                  LaneReach<V>{lane(reach.x), lane(reach.y), lane(reach.s), lane(reach.z), lane(reach.any)},
                   hn::Zero(d), rows, 1);
     const Lanes3x3<V> half{
         {broadcast(d, &axes[0].x), broadcast(d, &axes[1].x), broadcast(d, &axes[2].x)}};

@@ -44,6 +44,7 @@ struct BeamCell {
     std::uint32_t level;
     bool terminal;
     Outline outline;       // unless it is terminal
+    bool large;   // several pixels wide
     int first_place;        // of a terminal cell, in the list of what is covered
     int end_place;
 };
@@ -94,6 +95,7 @@ struct TileView {
 /// No point of a volume is farther from its centre, in X, Y, S, and along the rays.
 struct BeamReach {
     double x = 0, y = 0, s = 0, z = 0;
+    double any = 0;  // whatever the way
 };
 
 /// The levels of the path to a sight: those it has in common with the one before are kept.
