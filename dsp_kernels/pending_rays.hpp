@@ -23,6 +23,7 @@ struct PendingRay {
 template <class Real>
 class PendingRays {
   public:
+    static constexpr std::uint32_t capacity = 8;
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
     [[nodiscard]] PendingRay<Real> pop() noexcept { return rays_[--size_]; }
     template <NodeLike Node>
@@ -43,7 +44,6 @@ class PendingRays {
     }
 
   private:
-    static constexpr std::uint32_t capacity = 8;
     PendingRay<Real> rays_[capacity];
     std::uint32_t size_ = 0;
 };

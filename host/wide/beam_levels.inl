@@ -89,7 +89,7 @@ struct LanePlace {
 /// Where cells are seen; a cell that is not seen has an empty span of columns.
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& center,
-                          const LaneReach<V>& reach, V from, double* rows, int stride) {
+                                  const LaneReach<V>& reach, V from, double* rows, int stride) {
     const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * stride; };
     const auto along = [&](const glm::dvec3& way, double offset) HWY_ATTR {
         return hn::Add(dot(center, broadcast(d, &way.x)), hn::Set(d, offset));
@@ -163,9 +163,8 @@ HWY_INLINE void cast_cells(D d, const LanePlace<V>& place, const Lanes3<V>& axes
         put(2, hn::Mul(a, inverse));
         return;
     }
-    const auto area = [&](V ax, V ay, V bx, V by) HWY_ATTR {
-        return hn::Abs(hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx)));
-    };
+    const auto area = [&](V ax, V ay, V bx, V by)
+                          HWY_ATTR { return hn::Abs(hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx))); };
     const V yz = area(x.y, y.y, x.z, y.z), zx = area(x.z, y.z, x.x, y.x),
             xy = area(x.x, y.x, x.y, y.y);
     // Beside an edge lies all that the other two edges reach.
@@ -256,8 +255,8 @@ HWY_INLINE std::uint32_t places_where(const BeamWorkspace& work, const PixelBeam
     for (int i = 0; i < work.places; i += static_cast<int>(hn::Lanes(d))) {
         const V x = hn::Add(hn::Mul(hn::Load(d, beam.columns + i), apart), x0);
         const V y = hn::Add(hn::Mul(hn::Load(d, beam.rows + i), apart), y0);
-        const auto met = hn::And(here(d, x, y),
-                                 hn::FirstN(d, static_cast<std::size_t>(work.places - i)));
+        const auto met =
+            hn::And(here(d, x, y), hn::FirstN(d, static_cast<std::size_t>(work.places - i)));
         std::uint8_t bits[8] = {};
         const std::size_t bytes = hn::StoreMaskBits(d, met, bits);
         std::uint32_t word = 0;
@@ -277,22 +276,22 @@ HWY_INLINE std::uint32_t places_in(const BeamWorkspace& work, const CellShadow& 
     if (shadow.ball) {
         return places_where(work, beam, shadow.column, shadow.row, shadow.spread,
                             [&](auto d, auto x, auto y) HWY_ATTR {
-                                const auto square = hn::Add(
-                                    hn::Mul(x, hn::Add(hn::Mul(hn::Set(d, form[0]), x),
-                                                       hn::Mul(hn::Set(d, form[1]), y))),
-                                    hn::Mul(hn::Mul(hn::Set(d, form[2]), y), y));
+                                const auto square =
+                                    hn::Add(hn::Mul(x, hn::Add(hn::Mul(hn::Set(d, form[0]), x),
+                                                               hn::Mul(hn::Set(d, form[1]), y))),
+                                            hn::Mul(hn::Mul(hn::Set(d, form[2]), y), y));
                                 return hn::Le(square, hn::Set(d, 1.0F));
                             });
     }
-    return places_where(
-        work, beam, shadow.column, shadow.row, shadow.spread, [&](auto d, auto x, auto y) HWY_ATTR {
-            const auto inside = [&](int i) HWY_ATTR {
-                const auto aside = hn::Add(hn::Mul(x, hn::Set(d, form[2 * i])),
-                                           hn::Mul(y, hn::Set(d, form[2 * i + 1])));
-                return hn::Le(hn::Abs(aside), hn::Set(d, 1.0F));
-            };
-            return hn::And(hn::And(inside(0), inside(1)), inside(2));
-        });
+    return places_where(work, beam, shadow.column, shadow.row, shadow.spread,
+                        [&](auto d, auto x, auto y) HWY_ATTR {
+                            const auto inside = [&](int i) HWY_ATTR {
+                                const auto aside = hn::Add(hn::Mul(x, hn::Set(d, form[2 * i])),
+                                                           hn::Mul(y, hn::Set(d, form[2 * i + 1])));
+                                return hn::Le(hn::Abs(aside), hn::Set(d, 1.0F));
+                            };
+                            return hn::And(hn::And(inside(0), inside(1)), inside(2));
+                        });
 }
 
 /// Those in the rectangle around a cell.
@@ -376,11 +375,11 @@ inline std::uint64_t pixels_behind(const BeamWorkspace& work, const BeamCell& ce
 
 /// Puts a cell, whose rows are in the scratch table, into the queue, unless it is a small one that
 /// covers no open place.
-[[nodiscard]] HWY_INLINE bool push_cell(const WideScene& scene, BeamWorkspace& work, BeamCell& cell, int stride,
-                          int lane) {
+[[nodiscard]] HWY_INLINE bool push_cell(const WideScene& scene, BeamWorkspace& work, BeamCell& cell,
+                                        int stride, int lane) {
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    cell.terminal = cell.level == object.levels ||
-                    cell.diameter <= terminal_size(scene, cell.object, cell.key);
+    cell.terminal =
+        cell.level == object.levels || cell.diameter <= terminal_size(scene, cell.object, cell.key);
     if (cell.level > most_beam_levels) work.given_up = true;
     const auto at = [&](int i) {
         return work.scratch.get()[static_cast<std::ptrdiff_t>(i) * stride + lane];
@@ -438,9 +437,9 @@ HWY_INLINE void place_homotheties(D d, const WideScene& scene, BeamWorkspace& wo
         along = reach(unit.z);
     } else {
         const Lanes3<V> way = way_to(d, work.view, center);
-        along = hn::Mul(size, hn::Add(hn::Add(hn::Abs(dot(turn.row[0], way)),
-                                              hn::Abs(dot(turn.row[1], way))),
-                                      hn::Abs(dot(turn.row[2], way))));
+        along = hn::Mul(
+            size, hn::Add(hn::Add(hn::Abs(dot(turn.row[0], way)), hn::Abs(dot(turn.row[1], way))),
+                          hn::Abs(dot(turn.row[2], way))));
     }
     const LanePlace<V> place =
         see_cells(d, work.view, center,
@@ -450,8 +449,8 @@ HWY_INLINE void place_homotheties(D d, const WideScene& scene, BeamWorkspace& wo
         return Lanes3<V>{reach(glm::dot(axes[0], way)), reach(glm::dot(axes[1], way)),
                          reach(glm::dot(axes[2], way))};
     };
-    cast_cells(d, place, axes_along(work.view.x), axes_along(work.view.y),
-               axes_along(work.view.s), object.spheres, rows, table.stride);
+    cast_cells(d, place, axes_along(work.view.x), axes_along(work.view.y), axes_along(work.view.s),
+               object.spheres, rows, table.stride);
 }
 
 inline void open_homotheties(const WideScene& scene, BeamWorkspace& work, int index) {
@@ -554,7 +553,8 @@ HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& se
         see_cells(d, view, center,
                   LaneReach<V>{reach.of(d, x), reach.of(d, y), reach.of(d, s),
                                reach.of(d, Lanes3<V>{dot(axes.row[0], way), dot(axes.row[1], way),
-                                                     dot(axes.row[2], way)}), lengths},
+                                                     dot(axes.row[2], way)}),
+                               lengths},
                   hn::Set(d, parent.large ? 0.0 : parent.key), rows + i, stride);
     cast_cells(d, place, x, y, s, ball, rows + i, stride);
     for (int r = 0; r < 3; ++r) {
@@ -617,10 +617,10 @@ inline void push_beam_object(const WideScene& scene, BeamWorkspace& work, int in
     }
     double* rows = work.scratch.get();
     const auto lane = [&](double x) { return hn::Set(d, x); };
-    const LanePlace<V> place =
-        see_cells(d, work.view, broadcast(d, &object.from_unit.translation.x),
-                  LaneReach<V>{lane(reach.x), lane(reach.y), lane(reach.s), lane(reach.z), lane(reach.any)},
-                  hn::Zero(d), rows, 1);
+    const LanePlace<V> place = see_cells(
+        d, work.view, broadcast(d, &object.from_unit.translation.x),
+        LaneReach<V>{lane(reach.x), lane(reach.y), lane(reach.s), lane(reach.z), lane(reach.any)},
+        hn::Zero(d), rows, 1);
     const Lanes3x3<V> half{
         {broadcast(d, &axes[0].x), broadcast(d, &axes[1].x), broadcast(d, &axes[2].x)}};
     cast_cells(d, place, axes_along(d, half, work.view.x), axes_along(d, half, work.view.y),

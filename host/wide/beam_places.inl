@@ -48,16 +48,18 @@ inline void show_cell(const BeamWorkspace& work, PixelBeam& pixel, int cell, std
         x += part * work.place_x[i];
         y += part * work.place_y[i];
     }
-    add_sight(pixel, {cell, sum / work.places, x / sum, y / sum});
+    // In the roundings of the clear kernels: many shares are equal, and the least of them is
+    // merged.
+    const double inverse = 1 / sum;
+    add_sight(pixel, {cell, sum * (1.0 / work.places), x * inverse, y * inverse});
 }
 
 /// Shows a small cell in the pixels that see it.
 inline void show_in_pixels(const WideScene& scene, BeamWorkspace& work, int index) {
     const BeamCell& cell = work.cells[static_cast<std::size_t>(index)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    const double coverage = cell.level == object.levels
-                                ? 1
-                                : scene.sets[static_cast<std::size_t>(cell.set)].coverage;
+    const double coverage =
+        cell.level == object.levels ? 1 : scene.sets[static_cast<std::size_t>(cell.set)].coverage;
     for (int i = cell.first_place; i < cell.end_place; ++i) {
         const CoveredPlaces& covered = work.covered[static_cast<std::size_t>(i)];
         PixelBeam& pixel = work.pixels[static_cast<std::size_t>(covered.pixel)];

@@ -43,9 +43,9 @@ struct BeamCell {
     int lane;    // in the parent's set
     std::uint32_t level;
     bool terminal;
-    Outline outline;       // unless it is terminal
-    bool large;   // several pixels wide
-    int first_place;        // of a terminal cell, in the list of what is covered
+    Outline outline;  // unless it is terminal
+    bool large;       // several pixels wide
+    int first_place;  // of a terminal cell, in the list of what is covered
     int end_place;
 };
 
@@ -64,14 +64,15 @@ struct BeamSight {
 
 /// A pixel: its beam, what is left of its places, and what shows in it.
 struct PixelBeam {
-    LoneRay ray;               // through the first place
-    glm::dvec3 across, down;   // unit vectors at right angles to the ray
-    double column, row;        // of the first place, from the tile's middle
-    double xx, xy, yy;         // a step of (columns, rows) in the picture is (xx c + xy r, yy r)
-                               // beside the ray
-    float deeper_x, deeper_y;  // by what share a point a column (a row) away is deeper along the ray
-    double end;                // nothing shows beyond
-    std::uint32_t open;        // places that something behind may show at
+    LoneRay ray;              // through the first place
+    glm::dvec3 across, down;  // unit vectors at right angles to the ray
+    double column, row;       // of the first place, from the tile's middle
+    double xx, xy, yy;        // a step of (columns, rows) in the picture is (xx c + xy r, yy r)
+                              // beside the ray
+    float deeper_x,
+        deeper_y;        // by what share a point a column (a row) away is deeper along the ray
+    double end;          // nothing shows beyond
+    std::uint32_t open;  // places that something behind may show at
     std::uint32_t tested = 0;  // cells whose places were looked at
     int sight_count = 0;
     std::array<BeamSight, static_cast<std::size_t>(most_sights)> sights;

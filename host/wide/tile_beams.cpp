@@ -50,8 +50,8 @@ void frame_beam(PixelBeam& beam, const CompiledCamera& camera) {
     beam.yy = glm::dot(camera.down, beam.down);
 }
 
-/// Where a pixel's places are in the picture if p is `pixel` where S is 1: a beam is no narrower than
-/// its pixel.
+/// Where a pixel's places are in the picture if p is `pixel` where S is 1: a beam is no narrower
+/// than its pixel.
 void spread_places(TileView& view, const BeamWorkspace& work, PixelBeam& beam,
                    const glm::dvec2& first, double pixel) {
     constexpr double rounding = 1e-5;
@@ -110,6 +110,7 @@ void TileTracer::render_area() {
         }
         light_area();
     }
+    forget_least_mirrors();
     while (!pending_.empty()) look_into_mirrors();
     store();
 }
@@ -230,6 +231,22 @@ std::array<float, 3> TileTracer::color_of_plane(const Lane& lane) {
 TileTracer::AreaPlace& TileTracer::next_area_place() {
     if (area_.size() == area_count_) area_.emplace_back();
     return area_[area_count_++];
+}
+
+/// What a pixel shows in mirrors is no more than the clear kernels have room for
+/// (dsp_kernels/pending_rays.hpp): of more rays those that matter least are given up.
+void TileTracer::forget_least_mirrors() {
+    constexpr int most = kernels::PendingRays<double>::capacity;
+    std::array<int, bundle_rays> waiting{};
+    for (const PendingRay& ray : pending_) ++waiting[static_cast<std::size_t>(ray.pixel)];
+    for (int pixel = 0; pixel < bundle_rays; ++pixel) {
+        for (int& left = waiting[static_cast<std::size_t>(pixel)]; left > most; --left) {
+            const auto share = [&](const PendingRay& ray) {
+                return ray.pixel == pixel ? ray.share : std::numeric_limits<double>::infinity();
+            };
+            pending_.erase(std::ranges::min_element(pending_, {}, share));
+        }
+    }
 }
 
 /// Lights all that shows in the tile, a bundle of shadow rays after the other.

@@ -88,6 +88,7 @@ class TileTracer {
     [[nodiscard]] std::array<float, 3> color_of_plane(const Lane& lane);
     [[nodiscard]] AreaPlace& next_area_place();
     void light_area();
+    void forget_least_mirrors();
     void aim(std::size_t sample);
     [[nodiscard]] LoneRay eye_ray(int pixel) const;
     void look(Kind kind);

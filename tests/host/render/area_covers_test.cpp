@@ -84,6 +84,7 @@ TEST(AreaCovers, are_the_same_on_the_machine_and_natively) {
 TEST(AreaCovers, lose_nothing_with_a_small_heap) {
     for (const char* name : {"octo", "squashed", "hierarchical"}) {
         RenderRequest request;
+        request.overrides.intersect = IntersectMethod::heap;
         request.overrides.size = host::PixelSize{24, 18};
         const auto with = [&](const char* setting, long heap) {
             request.overrides.heap = heap;
