@@ -28,24 +28,21 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct BeamRows {
     static constexpr int center = 0;  // 3
     static constexpr int key = 3;
-    static constexpr int first_column = 4;
-    static constexpr int last_column = 5;
-    static constexpr int first_row = 6;
-    static constexpr int last_row = 7;
+    static constexpr int pixels = 4;  // a bit each, whole numbers of 64 bits
+    static constexpr int depth = 5;
+    static constexpr int over_s = 6;
+    static constexpr int near = 7;
     static constexpr int diameter = 8;
     static constexpr int column = 9;
     static constexpr int row = 10;
     static constexpr int shadow = 11;  // 6, see CellShadow
-    static constexpr int near = 17;
-    static constexpr int depth = 18;
-    static constexpr int over_s = 19;
-    static constexpr int left = 20;  // the rectangle around, in columns and rows
-    static constexpr int right = 21;
-    static constexpr int top = 22;
-    static constexpr int bottom = 23;
-    static constexpr int nearest = 24;  // no point of the cell is nearer
-    static constexpr int axes = 25;     // 9
-    static constexpr int count = 34;
+    static constexpr int left = 17;    // the rectangle around, in columns and rows
+    static constexpr int right = 18;
+    static constexpr int top = 19;
+    static constexpr int bottom = 20;
+    static constexpr int nearest = 21;  // no point of the cell is nearer
+    static constexpr int axes = 22;     // 9
+    static constexpr int count = 31;
 };
 
 template <class V>
@@ -75,9 +72,31 @@ HWY_INLINE LaneSpan<V> span_of(D d, V low, V high, double from, double to) {
     constexpr double last = tile_side - 1.0;
     const V first = hn::Ceil(hn::Add(low, hn::Set(d, middle - to)));
     const V end = hn::Floor(hn::Add(high, hn::Set(d, middle - from)));
-    // An empty span stays empty: whole numbers just outside will do.
-    return {hn::Min(hn::Max(first, hn::Zero(d)), hn::Set(d, last + 1)),
-            hn::Max(hn::Min(end, hn::Set(d, last)), hn::Set(d, -1.0))};
+    return {hn::Max(first, hn::Zero(d)), hn::Min(end, hn::Set(d, last))};
+}
+
+/// The pixels of a rectangle, a bit each; none if it is empty.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE hn::VFromD<hn::RebindToUnsigned<D>> pixels_between(D /*d*/, const LaneSpan<V>& columns,
+                                                              const LaneSpan<V>& rows) {
+    const hn::RebindToUnsigned<D> du;
+    const hn::RebindToSigned<D> di;
+    const auto some = hn::And(hn::Le(columns.first, columns.last), hn::Le(rows.first, rows.last));
+    const auto whole = [&](V x) HWY_ATTR {
+        return hn::BitCast(du, hn::ConvertTo(di, hn::IfThenElseZero(some, x)));
+    };
+    const auto x0 = whole(columns.first), x1 = whole(columns.last);
+    const auto y0 = whole(rows.first), y1 = whole(rows.last);
+    const auto seven = hn::Set(du, 7);
+    // A row of ones, once for each row: no carry, as each fits its byte.
+    auto one_row = hn::Shl(hn::Shr(hn::Set(du, 0xFF), hn::Add(hn::Sub(seven, x1), x0)), x0);
+    one_row = hn::Or(one_row, hn::ShiftLeft<8>(one_row));
+    one_row = hn::Or(one_row, hn::ShiftLeft<16>(one_row));
+    one_row = hn::Or(one_row, hn::ShiftLeft<32>(one_row));
+    const auto missing = hn::ShiftLeft<3>(hn::Add(hn::Sub(seven, y1), y0));
+    const auto lines =
+        hn::Shl(hn::Shr(hn::Set(du, ~std::uint64_t{0}), missing), hn::ShiftLeft<3>(y0));
+    return hn::IfThenElseZero(hn::RebindMask(du, some), hn::And(one_row, lines));
 }
 
 /// Where the centres of cells are seen.
@@ -115,11 +134,10 @@ HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& ce
     const auto ahead = hn::And(hn::Le(from, hn::Add(depth, reach.z)), hn::Lt(zero, far));
     store3(center, d, row(BeamRows::center), stride);
     hn::StoreU(hn::Max(from, hn::Sub(depth, reach.z)), d, row(BeamRows::key));
-    hn::StoreU(columns.first, d, row(BeamRows::first_column));
-    hn::StoreU(hn::IfThenElse(ahead, columns.last, hn::Set(d, -1.0)), d,
-               row(BeamRows::last_column));
-    hn::StoreU(lines.first, d, row(BeamRows::first_row));
-    hn::StoreU(lines.last, d, row(BeamRows::last_row));
+    const hn::RebindToUnsigned<D> du;
+    const auto pixels = pixels_between(d, columns, lines);
+    hn::StoreU(hn::BitCast(d, hn::IfThenElseZero(hn::RebindMask(du, ahead), pixels)), d,
+               row(BeamRows::pixels));
     hn::StoreU(near, d, row(BeamRows::near));
     hn::StoreU(depth, d, row(BeamRows::depth));
     const V over_s = hn::Div(one, s);
@@ -203,7 +221,9 @@ inline CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, const 
     CellShadow shadow;
     shadow.column = at(BeamRows::column);
     shadow.row = at(BeamRows::row);
-    for (int i = 0; i < 6; ++i) shadow.form[i] = at(BeamRows::shadow + i);
+    for (int i = 0; i < (object.spheres ? 3 : 6); ++i) {
+        shadow.form[i] = at(BeamRows::shadow + i);
+    }
     const double depth = rows[static_cast<std::ptrdiff_t>(BeamRows::depth) * stride + lane];
     const double p = scene.camera.pixel_at_eye + scene.camera.pixel_growth * depth;
     shadow.spread = p < object.smallest_pixel ? static_cast<float>(object.smallest_pixel / p) : 1;
@@ -304,18 +324,10 @@ HWY_INLINE std::uint32_t places_around(const BeamWorkspace& work, const Outline&
                         });
 }
 
-/// The pixels of a rectangle, a bit each.
-HWY_INLINE std::uint64_t pixels_between(const double* rows, int stride, int lane) {
-    const auto at = [&](int i) {
-        return static_cast<int>(rows[static_cast<std::ptrdiff_t>(i) * stride + lane]);
-    };
-    const int x0 = at(BeamRows::first_column), x1 = at(BeamRows::last_column);
-    const int y0 = at(BeamRows::first_row), y1 = at(BeamRows::last_row);
-    if (x1 < x0 || y1 < y0) return 0;
-    constexpr std::uint64_t each_row = 0x0101'0101'0101'0101;
-    const std::uint64_t columns = (0xFFU >> (7 - x1 + x0)) << x0;
-    const std::uint64_t lines = ~std::uint64_t{0} >> (8 * (7 - y1 + y0)) << (8 * y0);
-    return (columns * each_row) & lines;
+/// The pixels that see_cells() found for a cell.
+HWY_INLINE std::uint64_t pixels_of(const double* rows, int stride, int lane) {
+    return std::bit_cast<std::uint64_t>(
+        rows[static_cast<std::ptrdiff_t>(BeamRows::pixels) * stride + lane]);
 }
 
 /// detail * p at a depth.
@@ -471,7 +483,7 @@ inline void open_homotheties(const WideScene& scene, BeamWorkspace& work, int in
     child.parent = index;
     child.level = parent.level + 1;
     for (int lane = 0; lane < table.count; ++lane) {
-        child.pixels = pixels_between(rows, table.stride, lane) & wanted;
+        child.pixels = pixels_of(rows, table.stride, lane) & wanted;
         if (child.pixels == 0) continue;
         child.center = {row(0, lane), row(1, lane), row(2, lane)};
         child.size = parent.size * table.twice.row(HomothetyTable::scale)[lane];
@@ -516,14 +528,20 @@ HWY_INLINE V diameters_of_children(D d, const WideSet& set, const BeamCell& pare
         return hn::Mul(diameter, hn::Mul(hn::Set(d, parent.constant),
                                          hn::LoadU(d, set.twice.row(ChildField::constant) + i)));
     }
+    // In floats, as shares of the parent's: this is the most that is computed of a child.
+    const hn::Rebind<float, D> narrow;
     const double* half = set.beams.row(BeamField::inverse_half) + i;
+    const V share = hn::Div(diameter, hn::Set(d, parent.diameter));
     const auto scaled = [&](const Lanes3<V>& row, int k) HWY_ATTR {
-        const V h = hn::LoadU(d, half + k * set.stride);
-        return Lanes3<V>{hn::Mul(row.x, h), hn::Mul(row.y, h), hn::Mul(row.z, h)};
+        const V h = hn::Mul(share, hn::LoadU(d, half + k * set.stride));
+        return Lanes3<hn::VFromD<decltype(narrow)>>{hn::DemoteTo(narrow, hn::Mul(row.x, h)),
+                                                    hn::DemoteTo(narrow, hn::Mul(row.y, h)),
+                                                    hn::DemoteTo(narrow, hn::Mul(row.z, h))};
     };
-    return hn::Mul(diameter, largest_singular_value(
-                                 d, Lanes3x3<V>{{scaled(axes.row[0], 0), scaled(axes.row[1], 1),
-                                                 scaled(axes.row[2], 2)}}));
+    const auto largest = largest_singular_value(
+        narrow, Lanes3x3<hn::VFromD<decltype(narrow)>>{
+                    {scaled(axes.row[0], 0), scaled(axes.row[1], 1), scaled(axes.row[2], 2)}});
+    return hn::Mul(hn::PromoteTo(d, largest), hn::Set(d, parent.diameter));
 }
 
 template <class D>
@@ -544,9 +562,9 @@ HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& se
     const TileView& view = work.view;
     const ChildReach<D> reach(d, set, i);
     const Lanes3<V> way = way_to(d, view, center);
-    const auto length = [](const Lanes3<V>& v) HWY_ATTR { return hn::Sqrt(dot(v, v)); };
-    const V lengths =
-        hn::Add(hn::Add(length(axes.row[0]), length(axes.row[1])), length(axes.row[2]));
+    const V squares = hn::Add(hn::Add(dot(axes.row[0], axes.row[0]), dot(axes.row[1], axes.row[1])),
+                              dot(axes.row[2], axes.row[2]));
+    const V lengths = hn::Sqrt(hn::Mul(hn::Set(d, 3.0), squares));  // their sum is no more
     const Lanes3<V> x = axes_along(d, axes, view.x), y = axes_along(d, axes, view.y),
                     s = axes_along(d, axes, view.s);
     const LanePlace<V> place =
@@ -583,7 +601,7 @@ inline void open_beam_cell(const WideScene& scene, BeamWorkspace& work, int inde
     child.parent = index;
     child.level = parent.level + 1;
     for (int lane = 0; lane < set.count; ++lane) {
-        child.pixels = pixels_between(rows, set.stride, lane) & wanted;
+        child.pixels = pixels_of(rows, set.stride, lane) & wanted;
         if (child.pixels == 0) continue;
         child.center = {row(0, lane), row(1, lane), row(2, lane)};
         child.key = row(BeamRows::key, lane);
@@ -627,7 +645,7 @@ inline void push_beam_object(const WideScene& scene, BeamWorkspace& work, int in
                axes_along(d, half, work.view.s), object.spheres, rows, 1);
     ++work.tested;
     BeamCell cell{};
-    cell.pixels = pixels_between(rows, 1, 0) & work.open;
+    cell.pixels = pixels_of(rows, 1, 0) & work.open;
     if (cell.pixels == 0) return;
     cell.center = object.from_unit.translation;
     cell.size = 1;

@@ -21,7 +21,7 @@ HWY_EXPORT(search_tile);
 HWY_EXPORT(see_along);
 
 void prepare_beams(const WideScene& scene, BeamWorkspace& work) {
-    constexpr std::size_t rows = 34;  // of BeamRows
+    constexpr std::size_t rows = 31;  // of BeamRows
     int widest = table_step;
     for (const WideSet& set : scene.sets) widest = std::max(widest, set.stride);
     work.scratch = hwy::AllocateAligned<double>(static_cast<std::size_t>(widest) * rows);
