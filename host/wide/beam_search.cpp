@@ -11,7 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "host/wide/beam_places.inl"
+#include "host/wide/beam_covers.inl"
 #include "host/wide/beam_sight.inl"
 
 #if HWY_ONCE
@@ -21,10 +21,10 @@ HWY_EXPORT(search_tile);
 HWY_EXPORT(see_along);
 
 void prepare_beams(const WideScene& scene, BeamWorkspace& work) {
-    constexpr std::size_t rows = 31;  // of BeamRows
     int widest = table_step;
     for (const WideSet& set : scene.sets) widest = std::max(widest, set.stride);
-    work.scratch = hwy::AllocateAligned<double>(static_cast<std::size_t>(widest) * rows);
+    work.scratch =
+        hwy::AllocateAligned<double>(static_cast<std::size_t>(widest * beam_scratch_rows));
     work.reaches.resize(scene.objects.size());
 }
 

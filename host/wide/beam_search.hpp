@@ -1,10 +1,12 @@
 // Local covers by area (`covers: area`), a tile at a time: what dsp_kernels/beam.hpp does for the
 // places of one pixel is done for those of 64 pixels at once. A cell is opened once for the whole
 // tile, nearest first; it carries the pixels whose places it may cover, a bit each, and a small
-// cell gives each of them its part. All in double. Four steps, a file each:
+// cell gives each of them its part. A file each:
+//   tile_beams.cpp   what a tile's pixels ask, and the light of what they get
+//   beam_view.inl    where cells are seen in the tile's picture, cells in lanes
+//   beam_places.inl  a cell and the places of a pixel, places in lanes
 //   beam_levels.inl  cells go down to the small ones, children in lanes
-//   beam_places.inl  a small cell and the places of a pixel, places in lanes
-//   tile_beams.cpp   what a tile's pixels ask, and what they got
+//   beam_covers.inl  what a small cell gets of the places, nearest first
 //   beam_sight.inl   what is seen of a cell, the levels of its path in lanes
 // A workspace is one thread's; its memory does not grow with the picture.
 #pragma once
@@ -92,6 +94,8 @@ struct TileView {
     double low_x, high_x;  // columns and rows that places are in, from their pixel's corner
     double low_y, high_y;
 };
+
+inline constexpr int beam_scratch_rows = 34;  // of children in lanes
 
 /// No point of a volume is farther from its centre, in X, Y, S, and along the rays.
 struct BeamReach {
