@@ -122,68 +122,71 @@ void TileTracer::aim_beams() {
     view.low_x = view.low_y = std::numeric_limits<double>::infinity();
     view.high_x = view.high_y = -view.low_x;
     beams_->open = work_.bundle.inside;
-    for (int i = 0; i < bundle_rays; ++i) {
-        PixelBeam& beam = beams_->pixels[static_cast<std::size_t>(i)];
-        beam.ray = eye_ray(i);
-        frame_beam(beam, scene_.camera);
-        constexpr int half = tile_side / 2;
-        beam.column = i % tile_side - half + place_.x;
-        beam.row = i / tile_side - half + place_.y;
-        beam.end = far_away;
-        beam.open = ~std::uint32_t{0} >> (most_places - beams_->places);
-        beam.tested = 0;
-        beam.sight_count = 0;
-        std::fill_n(beam.left.begin(), beams_->places, 1.0);
-        const double share = view.perspective ? glm::dot(view.s, beam.ray.direction) : 0;
-        double p = beam.ray.pixel_at_origin;  // where S is 1
-        if (view.perspective) p += beam.ray.pixel_growth / share;
-        beam.deeper_x =
-            static_cast<float>(share * glm::dot(scene_.camera.across, beam.ray.direction));
-        beam.deeper_y =
-            static_cast<float>(share * glm::dot(scene_.camera.down, beam.ray.direction));
-        spread_places(view, *beams_, beam, place_, p);
-        Lane& lane = lanes_[static_cast<std::size_t>(i)];
-        lane = {i, 1, scene_.bounces, beam.ray, {}};
-        if (scene_.planes.empty()) continue;
-        if (kernels::nearest_plane(node_, to_node(lane.ray), lane.ray.start, lane.ray.end,
-                                   lane.floor)) {
-            beam.end = lane.floor.t;
-        }
+    for (int i = 0; i < bundle_rays; ++i) aim_beam(i);
+}
+
+void TileTracer::aim_beam(int i) {
+    constexpr int half = tile_side / 2;
+    TileView& view = beams_->view;
+    PixelBeam& beam = beams_->pixels[static_cast<std::size_t>(i)];
+    beam.ray = eye_ray(i);
+    frame_beam(beam, scene_.camera);
+    beam.column = i % tile_side - half + place_.x;
+    beam.row = i / tile_side - half + place_.y;
+    beam.end = far_away;
+    beam.open = ~std::uint32_t{0} >> (most_places - beams_->places);
+    beam.tested = 0;
+    beam.sight_count = 0;
+    std::fill_n(beam.left.begin(), beams_->places, 1.0);
+    const glm::dvec3& along = beam.ray.direction;
+    const double share = view.perspective ? glm::dot(view.s, along) : 0;
+    double p = beam.ray.pixel_at_origin;  // where S is 1
+    if (view.perspective) p += beam.ray.pixel_growth / share;
+    beam.deeper_x = static_cast<float>(share * glm::dot(scene_.camera.across, along));
+    beam.deeper_y = static_cast<float>(share * glm::dot(scene_.camera.down, along));
+    spread_places(view, *beams_, beam, place_, p);
+    Lane& lane = lanes_[static_cast<std::size_t>(i)];
+    lane = {i, 1, scene_.bounces, beam.ray, {}};
+    if (!scene_.planes.empty() && kernels::nearest_plane(node_, to_node(lane.ray), lane.ray.start,
+                                                         lane.ray.end, lane.floor)) {
+        beam.end = lane.floor.t;
     }
 }
 
 /// Looks at what shows in a pixel: cells, and behind them a plane or the background.
 void TileTracer::see_sights(int pixel) {
     const PixelBeam& beam = beams_->pixels[static_cast<std::size_t>(pixel)];
-    Lane lane = lanes_[static_cast<std::size_t>(pixel)];
     PixelSum& sum = sums_[static_cast<std::size_t>(pixel)];
     sum.tested = static_cast<std::uint32_t>(wide_.objects.size()) + beam.tested;
     double most = 0;
     for (int k = 0; k < beam.sight_count; ++k) {
         const BeamSight& sight = beam.sights[static_cast<std::size_t>(k)];
-        lane.share = sight.share;
-        lane.ray = ray_through(beam, sight.x, sight.y);
         AreaPlace& place = next_area_place();
-        place.lane = lane;
-        see_sight(wide_, *beams_, sight.cell, lane.ray, place.lit.seen);
-        const double key = place.lit.seen.depth;
-        const WideObject& object = wide_.objects[static_cast<std::size_t>(place.lit.seen.object)];
-        place.lit.seen.object = object.index;
-        place.lit.diffuse = object.diffuse;
-        place.lit.reflect = object.reflect;
-        place.lit.point = lane.ray.origin + key * lane.ray.direction;
-        place.lit.pixel =
-            std::max(lane.ray.pixel_at_origin + lane.ray.pixel_growth * key, object.smallest_pixel);
+        place.lane = lanes_[static_cast<std::size_t>(pixel)];
+        place.lane.share = sight.share;
+        place.lane.ray = ray_through(beam, sight.x, sight.y);
+        see_sight_along(sight.cell, place.lane.ray, place.lit);
         sum.opacity += sight.share;
         if (!(most < sight.share)) continue;
         most = sight.share;
         place.lit.seen.word = beam_word(wide_, *beams_, sight.cell);
-        record_cell(place.lit.seen, key, pixel_at(pixel));
+        record_cell(place.lit.seen, place.lit.seen.depth, pixel_at(pixel));
     }
     double left = 0;
     for (int k = 0; k < beams_->places; ++k) left += beam.left[static_cast<std::size_t>(k)];
     left /= beams_->places;
     if (0 < left) see_behind(pixel, left, most < left ? Kind::first_sample : Kind::sample);
+}
+
+void TileTracer::see_sight_along(int cell, const LoneRay& ray, LitPlace& lit) {
+    see_sight(wide_, *beams_, cell, ray, lit.seen);
+    const double key = lit.seen.depth;
+    const WideObject& object = wide_.objects[static_cast<std::size_t>(lit.seen.object)];
+    lit.seen.object = object.index;
+    lit.diffuse = object.diffuse;
+    lit.reflect = object.reflect;
+    lit.point = ray.origin + key * ray.direction;
+    lit.pixel = std::max(ray.pixel_at_origin + ray.pixel_growth * key, object.smallest_pixel);
 }
 
 /// What of a pixel no cell covers.

@@ -83,7 +83,9 @@ class TileTracer {
     void render_area();
     void prepare_places();
     void aim_beams();
+    void aim_beam(int pixel);
     void see_sights(int pixel);
+    void see_sight_along(int cell, const LoneRay& ray, LitPlace& lit);
     void see_behind(int pixel, double left, Kind kind);
     [[nodiscard]] std::array<float, 3> color_of_plane(const Lane& lane);
     [[nodiscard]] AreaPlace& next_area_place();

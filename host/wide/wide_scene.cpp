@@ -162,6 +162,7 @@ std::string why_not(const CompiledScene& scene, const CompiledObject& object) {
 ObjectMethod wide_method(const CompiledScene& scene, const CompiledObject& object,
                          const WideObject& wide) {
     const std::size_t maps = scene.shapes[static_cast<std::size_t>(object.shape)].maps.size();
+    if (scene.area) return {object.name, "wide, beams", "local covers by area"};
     if (!wide.fixed_direction) {
         return {object.name, "wide, composed maps", "maps that are no homotheties"};
     }
@@ -180,7 +181,7 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (needs_covers(scene) && !scene.area) {
         return "local covers by diameter and translucent objects are the clear kernels'";
     }
-    if (scene.area) {  // a pixel's objects are composed one with the other
+    if (scene.area) {  // the cells of all objects share the places of a pixel
         for (const CompiledObject& object : scene.objects) {
             const std::string reason = why_not(scene, object);
             if (!reason.empty()) {

@@ -232,6 +232,13 @@ TEST(BeamInside, leaves_what_is_around_the_eye) {
     EXPECT_EQ(difference(scene).seen, 0);
 }
 
+TEST(BeamChoice, is_told) {
+    const auto methods = wide::object_methods(compile_text(scene_of("octo", "covers: area")));
+    ASSERT_EQ(methods.size(), 1U);
+    EXPECT_EQ(methods[0].method, "wide, beams");
+    EXPECT_EQ(methods[0].because, "local covers by area");
+}
+
 TEST(BeamChoice, says_why_not) {
     const auto reason = [](const std::string& text) {
         return wide::why_not_wide(compile_text(text), Numeric::single);
