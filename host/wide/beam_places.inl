@@ -30,7 +30,7 @@ struct CellShadow {
     bool large;  // so that pixels see it from different sides
 };
 
-inline CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, const double* rows,
+HWY_INLINE CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, const double* rows,
                             int stride, int lane) {
     const auto at = [&](int i) {
         return static_cast<float>(rows[static_cast<std::ptrdiff_t>(i) * stride + lane]);
@@ -53,7 +53,7 @@ inline CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, const 
 
 /// The shadow of a large cell along a pixel's own ray. Its half axes are in the scratch table, or
 /// those of its object in its size.
-inline void turn_shadow(const WideScene& scene, const BeamWorkspace& work, const BeamCell& cell,
+HWY_NOINLINE void turn_shadow(const WideScene& scene, const BeamWorkspace& work, const BeamCell& cell,
                         const PixelBeam& pixel, int stride, int lane, CellShadow& shadow) {
     const hn::CappedTag<double, 1> d;
     using V = hn::VFromD<decltype(d)>;
@@ -164,7 +164,7 @@ HWY_INLINE double terminal_size(const WideScene& scene, int object, double depth
 inline constexpr std::uint32_t most_beam_levels = 120;
 
 /// Lists the open places that a small cell covers. False if there are none.
-inline bool find_places(const WideScene& scene, BeamWorkspace& work, BeamCell& cell, int stride,
+HWY_INLINE bool find_places(const WideScene& scene, BeamWorkspace& work, BeamCell& cell, int stride,
                         int lane) {
     CellShadow shadow = shadow_of(scene, cell, work.scratch.get(), stride, lane);
     cell.first_place = static_cast<int>(work.covered.size());
