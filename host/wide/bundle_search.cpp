@@ -12,7 +12,7 @@
 #include <hwy/highway.h>
 
 #include "host/wide/fixed_direction.inl"
-#include "host/wide/seen_cell.inl"
+#include "host/wide/seen_together.inl"
 #include "host/wide/start_cell.inl"
 
 HWY_BEFORE_NAMESPACE();
@@ -83,7 +83,7 @@ HWY_AFTER_NAMESPACE();
 namespace pxm::host::wide {
 
 HWY_EXPORT(search);
-HWY_EXPORT(see);
+HWY_EXPORT(see_all);
 
 float* Arena::floats(std::size_t count) {
     if (used_ + count > chunk_floats) {
@@ -116,8 +116,9 @@ void search_bundle(const WideScene& scene, Workspace& work) {
     HWY_DYNAMIC_DISPATCH(search)(scene, work);
 }
 
-bool see_cell(const WideScene& scene, Workspace& work, int ray, SeenCell& seen) {
-    return HWY_DYNAMIC_DISPATCH(see)(scene, work, ray, seen);
+std::uint64_t see_cells(const WideScene& scene, Workspace& work, std::uint64_t rays,
+                        SeenCell* const* seen) {
+    return HWY_DYNAMIC_DISPATCH(see_all)(scene, work, rays, seen);
 }
 
 }  // namespace pxm::host::wide

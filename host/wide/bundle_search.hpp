@@ -196,6 +196,35 @@ struct SeenCell {
     std::uint32_t word;  // hash
 };
 
+struct SeenColor {
+    std::uint32_t hash;  // of the word, unfinished
+    std::array<float, 3> color;
+};
+
+/// Rays that have hit below the same start cell, one in each lane (seen_together.inl).
+struct SeenTogether {
+    static constexpr int most_lanes = 16;
+    static constexpr int most_shared = 64;  // levels that the rays share
+    static constexpr int most_own = 16;     // and do not share
+
+    int count = 0;
+    bool fixed = false;  // homotheties
+    std::array<int, most_lanes> rays{};
+    alignas(64) float beside[4][most_lanes] = {};  // u0, u1, v0, v1
+    alignas(64) float start[most_lanes] = {};      // as in PathRay
+    alignas(64) float pixel_base[most_lanes] = {};
+    alignas(64) float pixel_growth[most_lanes] = {};
+    alignas(64) std::int32_t levels[most_lanes] = {};
+    // Levels of a ray's own, seen from the start cell: centre and 1 / size, or an affine map.
+    alignas(64) float map[most_own][12][most_lanes] = {};
+    alignas(64) float diameter[most_own][most_lanes] = {};
+    std::array<SeenColor, most_lanes> color{};
+    // At each level the key, the exit and the normal.
+    alignas(64) float hits[most_shared + most_own][5][most_lanes] = {};
+    alignas(64) float depth[most_lanes] = {};  // of the last cell, from the start cell's base
+    alignas(64) float normal[3][most_lanes] = {};
+};
+
 struct Workspace {
     RayBundle bundle;
     std::vector<SharedCell> cells;
@@ -220,6 +249,7 @@ struct Workspace {
     std::uint64_t shared_tests = 0;
     std::vector<Path> paths;
     std::size_t paths_used = 0;
+    SeenTogether seen_together;
     std::vector<EnclosingNormal> enclosing;       // of the ray that is being shaded
     hwy::AlignedFreeUniquePtr<double[]> scratch;  // children of a shared cell, in lanes
 };
@@ -227,8 +257,9 @@ struct Workspace {
 /// Fills in `found` for the bundle in the workspace, on the widest registers there are.
 void search_bundle(const WideScene& scene, Workspace& work);
 
-/// Looks at what a ray of the bundle has found. False if the walk along the path does not confirm
-/// it in float: the clear kernels are to judge.
-[[nodiscard]] bool see_cell(const WideScene& scene, Workspace& work, int ray, SeenCell& seen);
+/// Looks at what rays of the bundle have found, a bit each, and fills in `seen[ray]`. Returns those
+/// whose walk along the path confirms it in float: of the others the clear kernels are to judge.
+[[nodiscard]] std::uint64_t see_cells(const WideScene& scene, Workspace& work, std::uint64_t rays,
+                                      SeenCell* const* seen);
 
 }  // namespace pxm::host::wide

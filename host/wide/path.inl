@@ -29,6 +29,12 @@ inline std::uint32_t hash_symbol(std::uint32_t hash, int symbol) {
     return (hash ^ 0xFF) * prime;
 }
 
+/// As gather.hpp keeps it in an image: 24 bits, never 0.
+inline std::uint32_t folded(std::uint32_t hash) {
+    const std::uint32_t short_hash = (hash >> 24 ^ hash) & 0x00FF'FFFF;
+    return short_hash == 0 ? 1 : short_hash;
+}
+
 inline void blend(std::array<float, 3>& color, const std::array<float, 4>& paint) {
     const float a = paint[3];
     for (std::size_t i = 0; i < 3; ++i) color[i] = (1 - a) * color[i] + a * paint[i];
@@ -242,6 +248,47 @@ HWY_INLINE void put_hits(D d, V v, float* to) {
     }
 }
 
+/// Cells of a path, or one cell of several paths: as Path has them, in lanes.
+template <class V>
+struct LevelRows {
+    Lanes3<V> u, v, w, o;
+    V base, from_start;
+};
+
+/// A ray beside the bundle's axis, or several.
+template <class V>
+struct BesideAxis {
+    V u0, u1, v0, v1;
+};
+
+template <class V>
+struct LevelHits {
+    V key, exit;
+    Lanes3<V> normal;
+};
+
+/// Where rays are in cells; the normals are those where they enter (leave) them.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE LevelHits<V> meet_levels(D d, const LevelRows<V>& cell, const BesideAxis<V>& ray,
+                                    bool spheres, PathSide side) {
+    using T = hn::TFromD<D>;
+    const V beside_u = hn::Add(ray.u0, hn::Mul(ray.u1, cell.base));
+    const V beside_v = hn::Add(ray.v0, hn::Mul(ray.v1, cell.base));
+    const Lanes3<V> origin = add_scaled(add_scaled(cell.o, beside_u, cell.u), beside_v, cell.v);
+    const Lanes3<V> direction = add_scaled(add_scaled(cell.w, ray.u1, cell.u), ray.v1, cell.v);
+    const LaneInterval<V> inside =
+        spheres ? in_unit_ball(d, origin, direction) : in_unit_cube(d, origin, direction);
+    const V t = side == PathSide::entry ? inside.key : inside.exit;
+    const Lanes3<V> normal =
+        spheres ? add_scaled(origin, t, direction) : cube_normal(d, origin, direction, t);
+    const Lanes3<V> seen{dot(normal, cell.u), dot(normal, cell.v), dot(normal, cell.w)};
+    const V length = hn::Sqrt(dot(seen, seen));
+    const V scale = hn::Div(hn::Set(d, T(1)), hn::Max(length, hn::Set(d, T(1e-30))));
+    return {hn::Add(cell.from_start, inside.key),
+            hn::Add(cell.from_start, inside.exit),
+            {hn::Mul(seen.x, scale), hn::Mul(seen.y, scale), hn::Mul(seen.z, scale)}};
+}
+
 /// The levels [first, last) of a path; `rows` as in Path, of floats or doubles.
 template <class T>
 inline void hit_levels(const RayBundle& bundle, const Path& path, const T* rows, int first,
@@ -249,37 +296,24 @@ inline void hit_levels(const RayBundle& bundle, const Path& path, const T* rows,
     const hn::ScalableTag<T> d;
     using V = hn::VFromD<decltype(d)>;
     constexpr int stride = Path::capacity;
-    const V u0 = hn::Set(d, bundle.u0[ray]), u1 = hn::Set(d, bundle.u1[ray]);
-    const V v0 = hn::Set(d, bundle.v0[ray]), v1 = hn::Set(d, bundle.v1[ray]);
+    const BesideAxis<V> beside{hn::Set(d, bundle.u0[ray]), hn::Set(d, bundle.u1[ray]),
+                               hn::Set(d, bundle.v0[ray]), hn::Set(d, bundle.v1[ray])};
     const int lanes = static_cast<int>(hn::Lanes(d));
     for (int i = first; i < last; i += lanes) {
-        const Lanes3<V> u = load3(d, rows + i, stride);
-        const Lanes3<V> v = load3(d, rows + 3 * stride + i, stride);
-        const Lanes3<V> w = load3(d, rows + 6 * stride + i, stride);
-        const Lanes3<V> o = load3(d, rows + 9 * stride + i, stride);
+        const auto row = [&](int k) HWY_ATTR { return load3(d, rows + k * stride + i, stride); };
         const V base = hn::LoadU(d, rows + Path::base * stride + i);
         V from_start = hn::Sub(base, hn::Set(d, static_cast<T>(path.start_base)));
         if constexpr (sizeof(T) == sizeof(float)) {  // from the difference in double
             from_start = hn::LoadU(d, rows + Path::from_start * stride + i);
         }
-        const Lanes3<V> origin = add_scaled(add_scaled(o, hn::Add(u0, hn::Mul(u1, base)), u),
-                                            hn::Add(v0, hn::Mul(v1, base)), v);
-        const Lanes3<V> direction = add_scaled(add_scaled(w, u1, u), v1, v);
-        const LaneInterval<V> inside =
-            spheres ? in_unit_ball(d, origin, direction) : in_unit_cube(d, origin, direction);
-        const V t = side == PathSide::entry ? inside.key : inside.exit;
-        const Lanes3<V> normal =
-            spheres ? add_scaled(origin, t, direction) : cube_normal(d, origin, direction, t);
-        const Lanes3<V> seen{dot(normal, u), dot(normal, v), dot(normal, w)};
-        const V length = hn::Sqrt(dot(seen, seen));
-        const V scale = hn::Div(hn::Set(d, T(1)), hn::Max(length, hn::Set(d, T(1e-30))));
-        const Lanes3<V> unit{hn::Mul(seen.x, scale), hn::Mul(seen.y, scale),
-                             hn::Mul(seen.z, scale)};
-        put_hits(d, hn::Add(from_start, inside.key), hits.key + i);
-        put_hits(d, hn::Add(from_start, inside.exit), hits.exit + i);
-        put_hits(d, unit.x, hits.normal[0] + i);
-        put_hits(d, unit.y, hits.normal[1] + i);
-        put_hits(d, unit.z, hits.normal[2] + i);
+        const LevelHits<V> met = meet_levels(
+            d, LevelRows<V>{row(0), row(3), row(6), row(9), base, from_start}, beside, spheres,
+            side);
+        put_hits(d, met.key, hits.key + i);
+        put_hits(d, met.exit, hits.exit + i);
+        put_hits(d, met.normal.x, hits.normal[0] + i);
+        put_hits(d, met.normal.y, hits.normal[1] + i);
+        put_hits(d, met.normal.z, hits.normal[2] + i);
     }
 }
 

@@ -232,8 +232,7 @@ inline bool see(const WideScene& scene, Workspace& work, int ray, SeenCell& seen
     seen.depth = path->start_base + static_cast<double>(walk.depth);
     seen.object = path->object;
     seen.level = levels - 1;
-    const std::uint32_t folded = (hash >> 24 ^ hash) & 0x00FF'FFFF;
-    seen.word = folded == 0 ? 1 : folded;
+    seen.word = folded(hash);
     return true;
 }
 
