@@ -225,8 +225,8 @@ inline WalkedTogether walk_together(const Path& path, const PathWeights& weights
             const auto hit = [&](int i) HWY_ATTR { return hn::LoadU(d, t.hits[level][i] + lane); };
             const V entry = hit(0), leaving = hit(1);
             const V through = hn::Sub(leaving, entry);
-            key = hn::IfThenElse(hn::Lt(key, entry), entry, key);
-            exit = hn::IfThenElse(hn::Lt(leaving, exit), leaving, exit);
+            key = hn::IfThenElse(hn::And(on, hn::Lt(key, entry)), entry, key);
+            exit = hn::IfThenElse(hn::And(on, hn::Lt(leaving, exit)), leaving, exit);
             const V diameter = level < path.shared
                                    ? hn::Set(d, path.rows[Path::diameter][level])
                                    : hn::LoadU(d, t.diameter[level - path.shared] + lane);
