@@ -86,7 +86,7 @@ HWY_AFTER_NAMESPACE();
 namespace pxm::host::wide {
 
 HWY_EXPORT(search);
-HWY_EXPORT(see_all);
+HWY_EXPORT(see);
 
 float* Arena::floats(std::size_t count) {
     if (used_ + count > chunk_floats) {
@@ -121,7 +121,7 @@ void search_bundle(const WideScene& scene, Workspace& work) {
 
 std::uint64_t see_cells(const WideScene& scene, Workspace& work, std::uint64_t rays,
                         SeenCell* const* seen) {
-    return HWY_DYNAMIC_DISPATCH(see_all)(scene, work, rays, seen);
+    return HWY_DYNAMIC_DISPATCH(see)(scene, work, rays, seen);
 }
 
 }  // namespace pxm::host::wide

@@ -12,6 +12,7 @@
 
 #include "host/wide/enclosing.hpp"
 #include "host/wide/ray_bundle.hpp"
+#include "host/wide/seen_cells.hpp"
 #include "host/wide/wide_scene.hpp"
 
 namespace pxm::host::wide {
@@ -164,67 +165,6 @@ struct StartRays {
     double base = 0;
 };
 
-/// The cells on the way from an object to a hit: one in each lane, the start cell and what is
-/// outside it first, the same for all rays that hit below it.
-struct Path {
-    static constexpr int capacity = 128;  // levels; deeper hits are left to the clear kernels
-    static constexpr int map = 0;         // 12: U, V, W, o
-    static constexpr int base = 12;
-    static constexpr int from_start = 13;  // base less the start cell's
-    static constexpr int diameter = 14;
-    static constexpr int row_count = 15;
-
-    alignas(64) float rows[row_count][capacity];
-    alignas(64) double twice[base + 1][capacity];  // of shared levels; used if deep
-    bool deep = false;
-    double start_base = 0;
-    double start_diameter = 0;
-    int object = 0;
-    int shared = 0;          // levels that all rays share; those of a single ray follow
-    std::uint32_t hash = 0;  // of the shared symbols, unfinished
-    std::array<float, 3> color{};
-};
-
-/// What a ray sees of a cell.
-struct SeenCell {
-    std::array<float, 3> color;   // of the surface, without light
-    std::array<float, 3> normal;  // the total normal, scene coordinates
-    std::vector<float> facing;    // of each light: Lambert's cosine, or its mean over the path
-    double depth;                 // along the bundle's axis
-    int object;
-    int level;
-    std::uint32_t word;  // hash
-};
-
-struct SeenColor {
-    std::uint32_t hash;  // of the word, unfinished
-    std::array<float, 3> color;
-};
-
-/// Rays that have hit below the same start cell, one in each lane (seen_together.inl).
-struct SeenTogether {
-    static constexpr int most_lanes = 16;
-    static constexpr int most_shared = 64;  // levels that the rays share
-    static constexpr int most_own = 16;     // and do not share
-
-    int count = 0;
-    bool fixed = false;  // homotheties
-    std::array<int, most_lanes> rays{};
-    alignas(64) float beside[4][most_lanes] = {};  // u0, u1, v0, v1
-    alignas(64) float start[most_lanes] = {};      // as in PathRay
-    alignas(64) float pixel_base[most_lanes] = {};
-    alignas(64) float pixel_growth[most_lanes] = {};
-    alignas(64) std::int32_t levels[most_lanes] = {};
-    // Levels of a ray's own, seen from the start cell: centre and 1 / size, or an affine map.
-    alignas(64) float map[most_own][12][most_lanes] = {};
-    alignas(64) float diameter[most_own][most_lanes] = {};
-    std::array<SeenColor, most_lanes> color{};
-    // At each level the key, the exit and the normal.
-    alignas(64) float hits[most_shared + most_own][5][most_lanes] = {};
-    alignas(64) float depth[most_lanes] = {};  // of the last cell, from the start cell's base
-    alignas(64) float normal[3][most_lanes] = {};
-};
-
 struct Workspace {
     RayBundle bundle;
     std::vector<SharedCell> cells;
@@ -250,7 +190,7 @@ struct Workspace {
     std::vector<Path> paths;
     std::size_t paths_used = 0;
     SeenTogether seen_together;
-    std::vector<EnclosingNormal> enclosing;       // of the ray that is being shaded
+    std::vector<EnclosingNormal> enclosing;       // of the ray that is being looked at
     hwy::AlignedFreeUniquePtr<double[]> scratch;  // children of a shared cell, in lanes
 };
 
