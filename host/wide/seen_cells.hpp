@@ -54,7 +54,8 @@ struct SeenTogether {
     bool fixed = false;  // homotheties
     std::array<int, most_lanes> rays{};
     alignas(64) float beside[4][most_lanes] = {};   // u0, u1, v0, v1
-    alignas(64) float start[most_lanes] = {};       // of the ray, from the start cell's base
+    alignas(64) float begin[most_lanes] = {};       // depth at which the ray begins
+    alignas(64) float start[most_lanes] = {};       // the same from the start cell's base
     alignas(64) float pixel_base[most_lanes] = {};  // detail * p is base + growth * depth
     alignas(64) float pixel_growth[most_lanes] = {};
     alignas(64) std::int32_t levels[most_lanes] = {};

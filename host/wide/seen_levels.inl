@@ -28,6 +28,7 @@ inline void take_ray(const WideScene& scene, const RayBundle& bundle, const Path
     t.beside[1][lane] = bundle.u1[ray];
     t.beside[2][lane] = bundle.v0[ray];
     t.beside[3][lane] = bundle.v1[ray];
+    t.begin[lane] = bundle.start[ray];
     t.start[lane] = static_cast<float>(start - path.start_base);
     t.pixel_base[lane] = static_cast<float>(scene.detail * p);
     t.pixel_growth[lane] = static_cast<float>(scene.detail * growth);

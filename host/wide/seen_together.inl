@@ -14,7 +14,7 @@
 #include <bit>
 #include <limits>
 
-#include "host/wide/enclosing.hpp"
+#include "host/wide/enclosing.inl"
 #include "host/wide/seen_cell.inl"
 #include "host/wide/seen_levels.inl"
 
@@ -22,21 +22,6 @@ HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// What the cells around the object give to a ray.
-inline void take_enclosing(const WideScene& scene, Workspace& work, const WideObject& object,
-                           const PathWeights& weights, int ray, int lane, SeenTogether& t) {
-    PathWalk sum;
-    find_enclosing(scene, object, work.bundle, ray, work.enclosing);
-    for (const EnclosingNormal& cell : work.enclosing) {
-        sum.add(cell.normal, weights.of(cell.diameter));
-    }
-    for (int i = 0; i < 3; ++i) {
-        t.enclosing[i][lane] = sum.weighted[i];
-        t.enclosing[3 + i][lane] = sum.plain[i];
-    }
-    t.enclosing[6][lane] = sum.total;
-}
 
 /// What came of the walks along the paths, a bit for each lane.
 struct WalkedTogether {
@@ -220,10 +205,7 @@ inline std::uint64_t see_below(const WideScene& scene, Workspace& work, Path& pa
         t.enclosed ? static_cast<float>(object.widest) : path.rows[0][Path::diameter];
     const PathWeights weights{scene.shading, outermost};
     const auto least = static_cast<float>(scene.detail * object.smallest_pixel);
-    for (int lane = 0; t.enclosed && lane < t.count; ++lane) {
-        take_enclosing(scene, work, object, weights, t.rays[static_cast<std::size_t>(lane)], lane,
-                       t);
-    }
+    if (t.enclosed) take_enclosing(scene, object, work.bundle, weights, t);
     const WalkedTogether walked =
         t.count <= few ? walk_paths<few>(object, weights, least, path, t)
                        : walk_paths<SeenTogether::most_lanes>(object, weights, least, path, t);
