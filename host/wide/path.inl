@@ -53,6 +53,7 @@ inline Path& new_path(const WideScene& scene, Workspace& work, int object, std::
     Path& path = work.paths[static_cast<std::size_t>(index)];
     path.shared = static_cast<int>(level) + 1;
     path.object = object;
+    path.rays = 0;
     path.color = scene.objects[static_cast<std::size_t>(object)].color;
     path.hash = scene.objects[static_cast<std::size_t>(object)].hash;
     return path;

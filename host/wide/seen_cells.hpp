@@ -27,6 +27,8 @@ struct Path {
     int shared = 0;          // levels
     std::uint32_t hash = 0;  // of the shared symbols, unfinished
     std::array<float, 3> color{};
+    bool fixed = false;      // of homotheties
+    std::uint64_t rays = 0;  // that are to be looked at
 };
 
 /// What a ray sees of a cell.

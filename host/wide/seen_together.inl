@@ -220,33 +220,49 @@ inline std::uint64_t see_below(const WideScene& scene, Workspace& work, Path& pa
     return confirmed;
 }
 
+/// Looks at what the rays of a path have found, some at a time. Returns those whose walk is
+/// confirmed.
+inline std::uint64_t see_path(const WideScene& scene, Workspace& work, Path& path,
+                              SeenCell* const* seen) {
+    const hn::CappedTag<float, SeenTogether::most_lanes> d;
+    const auto most = static_cast<int>(hn::Lanes(d));
+    SeenTogether& t = work.seen_together;
+    t.fixed = path.fixed;
+    std::uint64_t confirmed = 0;
+    std::uint64_t rays = path.rays;
+    while (rays != 0) {
+        t.count = 0;
+        for (; rays != 0 && t.count < most; rays &= rays - 1) {
+            const int ray = std::countr_zero(rays);
+            const Found& found = work.found[static_cast<std::size_t>(ray)];
+            const bool taken = t.fixed ? take_own_homotheties(scene, work, path, found, t.count, t)
+                                       : take_own_maps(scene, work, path, found, t.count, t);
+            if (!taken) continue;
+            take_ray(scene, work.bundle, path, ray, t.count, t);
+            t.rays[static_cast<std::size_t>(t.count++)] = ray;
+        }
+        if (t.count > 0) confirmed |= see_below(scene, work, path, seen);
+    }
+    path.rays = 0;
+    return confirmed;
+}
+
 /// Looks at what rays of the bundle have found; `seen[ray]` is filled in. Returns those whose walk
 /// is confirmed.
 inline std::uint64_t see(const WideScene& scene, Workspace& work, std::uint64_t rays,
                          SeenCell* const* seen) {
-    const hn::CappedTag<float, SeenTogether::most_lanes> d;
-    SeenTogether& t = work.seen_together;
-    std::uint64_t confirmed = 0;
-    while (rays != 0) {
-        const Found& first = work.found[static_cast<std::size_t>(std::countr_zero(rays))];
-        t.fixed = first.below_count >= 0;
-        t.count = 0;
+    for (; rays != 0; rays &= rays - 1) {
+        const Found& found = work.found[static_cast<std::size_t>(std::countr_zero(rays))];
+        const bool fixed = found.below_count >= 0;
         Path* path =
-            t.fixed ? path_of_fixed(scene, work, first.start) : path_of(scene, work, first.start);
-        for (std::uint64_t rest = rays; rest != 0; rest &= rest - 1) {
-            const int ray = std::countr_zero(rest);
-            const Found& found = work.found[static_cast<std::size_t>(ray)];
-            if (found.start != first.start || (found.below_count >= 0) != t.fixed) continue;
-            rays &= ~(std::uint64_t{1} << ray);
-            if (path == nullptr) continue;
-            const bool taken = t.fixed ? take_own_homotheties(scene, work, *path, found, t.count, t)
-                                       : take_own_maps(scene, work, *path, found, t.count, t);
-            if (!taken) continue;
-            take_ray(scene, work.bundle, *path, ray, t.count, t);
-            t.rays[static_cast<std::size_t>(t.count++)] = ray;
-            if (t.count == static_cast<int>(hn::Lanes(d))) break;
-        }
-        if (t.count > 0) confirmed |= see_below(scene, work, *path, seen);
+            fixed ? path_of_fixed(scene, work, found.start) : path_of(scene, work, found.start);
+        if (path == nullptr) continue;
+        path->fixed = fixed;
+        path->rays |= rays & (~rays + 1);
+    }
+    std::uint64_t confirmed = 0;
+    for (std::size_t i = 0; i < work.paths_used; ++i) {
+        if (work.paths[i].rays != 0) confirmed |= see_path(scene, work, work.paths[i], seen);
     }
     return confirmed;
 }
