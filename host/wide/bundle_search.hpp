@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "host/wide/enclosing.hpp"
@@ -65,7 +66,28 @@ struct BoxBeam {
 struct HullShadow {
     static constexpr int most_edges = 6;
     int edges = 0;
-    std::array<double, most_edges> x, y, height;
+    template <class T>
+    struct Edge {
+        T x, y, height;
+    };
+    std::array<Edge<double>, most_edges> twice;
+    std::array<Edge<float>, most_edges> single;  // the same
+
+    void put(int edge, const Edge<double>& at) {
+        const auto i = static_cast<std::size_t>(edge);
+        twice[i] = at;
+        single[i] = {static_cast<float>(at.x), static_cast<float>(at.y),
+                     static_cast<float>(at.height)};
+    }
+    template <class T>
+    [[nodiscard]] const Edge<T>& edge(int i) const {
+        const auto at = static_cast<std::size_t>(i);
+        if constexpr (std::is_same_v<T, float>) {
+            return single[at];
+        } else {
+            return twice[at];
+        }
+    }
 };
 
 /// The children of a cell below a start cell, in lanes; shared by the rays that open it.
@@ -148,10 +170,11 @@ struct Opened {
     float size;      // of the cell, to the start cell
     float constant;  // Lipschitz constant of the composed map
     int set;
-    int parent;  // in the list of opened cells
-    int lane;    // in the parent's table
-    int level;   // below the start cell
-    bool two;    // its grandchildren were tested at once
+    int parent;                                // in the list of opened cells
+    int lane;                                  // in the parent's table
+    int level;                                 // below the start cell
+    const HomothetyTable* table = nullptr;     // of the children or grandchildren that were tested
+    const LaneTable<float>* turned = nullptr;  // their centres, as the ray takes them
 };
 
 /// A start cell as the bundle's rays see it, and what the rays below it need.
