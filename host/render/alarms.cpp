@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -128,20 +130,33 @@ bool is_finite(const PixelRecord& pixel) {
     return all(pixel.color) && all(pixel.normal) && (pixel.level < 0 || std::isfinite(pixel.z));
 }
 
-void mark_pixels(const CompiledScene& scene, const Precision& precision, Frame& frame) {
+/// How many pixels have each alarm, by its bit.
+class AlarmCounts {
+  public:
+    void add(std::uint8_t alarms) {
+        for (unsigned rest = alarms; rest != 0; rest &= rest - 1)
+            ++counts_[static_cast<std::size_t>(std::countr_zero(rest))];
+    }
+    [[nodiscard]] std::uint64_t of(PixelAlarm alarm) const {
+        return counts_[static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(alarm)))];
+    }
+
+  private:
+    std::array<std::uint64_t, 8> counts_{};
+};
+
+AlarmCounts mark_pixels(const CompiledScene& scene, const Precision& precision, Frame& frame) {
     const std::vector<Place> places = places_of(scene);
-    const std::size_t objects = object_count(scene);
+    const auto objects = static_cast<int>(object_count(scene));
     const std::uint8_t missed = alarms_of_misses(scene, precision, places, frame);
+    AlarmCounts counts;
     for (PixelRecord& pixel : frame.pixels) {
-        const bool hit = pixel.level >= 0 && pixel.object < static_cast<int>(objects);
+        const bool hit = pixel.level >= 0 && pixel.object < objects;
         pixel.alarms |= hit ? alarms_of_hit(scene, precision, places, pixel) : missed;
         if (!is_finite(pixel)) pixel.alarms |= alarm_not_finite;
+        counts.add(pixel.alarms);
     }
-}
-
-std::uint64_t count_pixels(const Frame& frame, PixelAlarm alarm) {
-    return static_cast<std::uint64_t>(std::ranges::count_if(
-        frame.pixels, [&](const PixelRecord& p) { return (p.alarms & alarm) != 0; }));
+    return counts;
 }
 
 template <class Wrong>
@@ -166,7 +181,7 @@ bool is_out_of_range(const CompiledMap& map, double largest) {
 
 std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Frame& frame) {
     const Precision precision = precision_of(numeric);
-    mark_pixels(scene, precision, frame);
+    const AlarmCounts counts = mark_pixels(scene, precision, frame);
     const auto steep = [&](const CompiledMap& map) {
         const auto values = singular_values(map.map.linear).values;
         return map.lost.empty() && !(values[0] <= precision.steepest * values[2]);
@@ -179,17 +194,17 @@ std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Fra
     const auto of_maps = [&](const char* alarm, const auto& wrong, const std::string& text) {
         return Alarm{alarm, count_maps(scene, wrong), text, false};
     };
-    return {{"precision", count_pixels(frame, alarm_precision),
+    return {{"precision", counts.of(alarm_precision),
              fmt::format("pixels are less than {} units of the last place of {} wide where they "
                          "look: cells may be missed or misplaced",
                          least_ulps, name)},
-            {"floored", count_pixels(frame, alarm_floored),
+            {"floored", counts.of(alarm_floored),
              fmt::format("pixels are finer than {} can tell apart: they show larger cells", name)},
-            {"capped", count_pixels(frame, alarm_capped),
+            {"capped", counts.of(alarm_capped),
              "pixels show the nearest cell known when their ray was given up"},
-            {"not_finite", count_pixels(frame, alarm_not_finite),
+            {"not_finite", counts.of(alarm_not_finite),
              "pixels have a depth, colour or normal that is no number"},
-            {"overflow", count_pixels(frame, alarm_overflow),
+            {"overflow", counts.of(alarm_overflow),
              fmt::format("pixels met a cell whose numbers are beyond the range of {}: it may be "
                          "missed",
                          name)},

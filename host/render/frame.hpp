@@ -9,8 +9,9 @@
 
 namespace pxm::host {
 
-/// One pixel. Colours are linear. On a miss: z infinite, object and level -1, word 0, alpha 0.
-struct PixelRecord {
+/// One pixel, one line of a cache. Colours are linear. On a miss: z infinite, object and level -1,
+/// word 0, alpha 0.
+struct alignas(64) PixelRecord {
     float color[3] = {0, 0, 0};
     float alpha = 0;
     float z = std::numeric_limits<float>::infinity();  // distance along the ray, world units
@@ -18,12 +19,13 @@ struct PixelRecord {
     std::int32_t object = -1;
     std::int32_t level = -1;
     std::uint32_t word = 0;     // 24-bit hash of the terminal cell's word, never 0 on a hit
-    std::uint32_t node = 0;     // row * columns + column of the node that owns the pixel
     std::uint32_t volumes = 0;  // volumes tested
-    std::uint32_t heap = 0;     // most cells in the heap
-    std::uint8_t alarms = 0;    // bits of host/render/alarms.hpp
     std::uint64_t cycles = 0;   // instruction cycles of 200 ns; machine only
+    std::uint32_t heap = 0;     // most cells in the heap
+    std::uint16_t node = 0;     // row * columns + column of the node that owns the pixel
+    std::uint8_t alarms = 0;    // bits of host/render/alarms.hpp
 };
+static_assert(sizeof(PixelRecord) == 64);
 
 /// The pixels of a crop window, row by row.
 struct Frame {

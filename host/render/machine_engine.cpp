@@ -116,7 +116,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
             [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
                 PixelRecord& record = result.frame.at(x, y);
                 gather_pixel(scene, block, pixel, record, counts);
-                record.node = static_cast<std::uint32_t>(node.index());
+                record.node = static_cast<std::uint16_t>(node.index());
                 node.write_pixel(
                     pixel_in_node(model, width, static_cast<int>(x), static_cast<int>(y)),
                     pack_pixel(record));

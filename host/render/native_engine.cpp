@@ -75,7 +75,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
                         gather_pixel(scene, block, pixel, record, rays);
                         const NodeId id = owner(model, static_cast<int>(x), static_cast<int>(y));
                         record.node =
-                            static_cast<std::uint32_t>(id.row * model.columns + id.column);
+                            static_cast<std::uint16_t>(id.row * model.columns + id.column);
                         if (control.stop && *control.stop) stopped = true;
                         return !stopped;
                     });

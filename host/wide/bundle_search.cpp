@@ -12,13 +12,15 @@
 #include <hwy/highway.h>
 
 #include "host/wide/fixed_direction.inl"
-#include "host/wide/seen_cell.inl"
+#include "host/wide/seen_together.inl"
 #include "host/wide/start_cell.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
 
-constexpr double start_pixels = 16;  // the largest diameter of a start cell
+// The largest diameter of a start cell: sharing costs more where maps turn and squash.
+constexpr double start_pixels_of_homotheties = 16;
+constexpr double start_pixels_of_maps = 24;
 
 /// The depth beyond which no ray of the bundle looks any more.
 inline double farthest_best(const Workspace& work) {
@@ -30,17 +32,18 @@ inline double farthest_best(const Workspace& work) {
 }
 
 /// Whether a shared cell is small enough for the rays to go on alone.
-inline bool is_start(const WideScene& scene, const Workspace& work, int object, std::uint32_t level,
-                     double diameter, double near) {
-    return level == scene.objects[static_cast<std::size_t>(object)].levels ||
-           diameter <= start_pixels * pixel_at(scene, work.bundle, object, near);
+template <class Shared>
+inline bool is_start(const WideScene& scene, const Workspace& work, const Shared& cell, double near,
+                     double most_pixels) {
+    return cell.level == scene.objects[static_cast<std::size_t>(cell.object)].levels ||
+           cell.diameter <= most_pixels * pixel_at(scene, work.bundle, cell.object, near);
 }
 
 /// Goes down into a cell of the queue, or gives it to the rays.
 inline void take_cell(const WideScene& scene, Workspace& work, double near, int index) {
     if (index < 0) {
         const FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(~index)];
-        if (is_start(scene, work, cell.object, cell.level, cell.diameter, near)) {
+        if (is_start(scene, work, cell, near, start_pixels_of_homotheties)) {
             visit_homotheties(scene, work, ~index);
         } else {
             open_fixed_cell(scene, work, ~index);
@@ -48,7 +51,7 @@ inline void take_cell(const WideScene& scene, Workspace& work, double near, int 
         return;
     }
     const SharedCell& cell = work.cells[static_cast<std::size_t>(index)];
-    if (is_start(scene, work, cell.object, cell.level, cell.diameter, near)) {
+    if (is_start(scene, work, cell, near, start_pixels_of_maps)) {
         visit_start_cell(scene, work, index);
     } else {
         open_shared_cell(scene, work, index);
@@ -116,8 +119,9 @@ void search_bundle(const WideScene& scene, Workspace& work) {
     HWY_DYNAMIC_DISPATCH(search)(scene, work);
 }
 
-bool see_cell(const WideScene& scene, Workspace& work, int ray, SeenCell& seen) {
-    return HWY_DYNAMIC_DISPATCH(see)(scene, work, ray, seen);
+std::uint64_t see_cells(const WideScene& scene, Workspace& work, std::uint64_t rays,
+                        SeenCell* const* seen) {
+    return HWY_DYNAMIC_DISPATCH(see)(scene, work, rays, seen);
 }
 
 }  // namespace pxm::host::wide

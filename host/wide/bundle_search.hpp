@@ -8,10 +8,12 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "host/wide/enclosing.hpp"
 #include "host/wide/ray_bundle.hpp"
+#include "host/wide/seen_cells.hpp"
 #include "host/wide/wide_scene.hpp"
 
 namespace pxm::host::wide {
@@ -64,7 +66,28 @@ struct BoxBeam {
 struct HullShadow {
     static constexpr int most_edges = 6;
     int edges = 0;
-    std::array<double, most_edges> x, y, height;
+    template <class T>
+    struct Edge {
+        T x, y, height;
+    };
+    std::array<Edge<double>, most_edges> twice;
+    std::array<Edge<float>, most_edges> single;  // the same
+
+    void put(int edge, const Edge<double>& at) {
+        const auto i = static_cast<std::size_t>(edge);
+        twice[i] = at;
+        single[i] = {static_cast<float>(at.x), static_cast<float>(at.y),
+                     static_cast<float>(at.height)};
+    }
+    template <class T>
+    [[nodiscard]] const Edge<T>& edge(int i) const {
+        const auto at = static_cast<std::size_t>(i);
+        if constexpr (std::is_same_v<T, float>) {
+            return single[at];
+        } else {
+            return twice[at];
+        }
+    }
 };
 
 /// The children of a cell below a start cell, in lanes; shared by the rays that open it.
@@ -147,10 +170,11 @@ struct Opened {
     float size;      // of the cell, to the start cell
     float constant;  // Lipschitz constant of the composed map
     int set;
-    int parent;  // in the list of opened cells
-    int lane;    // in the parent's table
-    int level;   // below the start cell
-    bool two;    // its grandchildren were tested at once
+    int parent;                                // in the list of opened cells
+    int lane;                                  // in the parent's table
+    int level;                                 // below the start cell
+    const HomothetyTable* table = nullptr;     // of the children or grandchildren that were tested
+    const LaneTable<float>* turned = nullptr;  // their centres, as the ray takes them
 };
 
 /// A start cell as the bundle's rays see it, and what the rays below it need.
@@ -162,38 +186,6 @@ struct StartRays {
     int cell = 0;
     int block = -1;  // of its children, once opened
     double base = 0;
-};
-
-/// The cells on the way from an object to a hit: one in each lane, the start cell and what is
-/// outside it first, the same for all rays that hit below it.
-struct Path {
-    static constexpr int capacity = 128;  // levels; deeper hits are left to the clear kernels
-    static constexpr int map = 0;         // 12: U, V, W, o
-    static constexpr int base = 12;
-    static constexpr int from_start = 13;  // base less the start cell's
-    static constexpr int diameter = 14;
-    static constexpr int row_count = 15;
-
-    alignas(64) float rows[row_count][capacity];
-    alignas(64) double twice[base + 1][capacity];  // of shared levels; used if deep
-    bool deep = false;
-    double start_base = 0;
-    double start_diameter = 0;
-    int object = 0;
-    int shared = 0;          // levels that all rays share; those of a single ray follow
-    std::uint32_t hash = 0;  // of the shared symbols, unfinished
-    std::array<float, 3> color{};
-};
-
-/// What a ray sees of a cell.
-struct SeenCell {
-    std::array<float, 3> color;   // of the surface, without light
-    std::array<float, 3> normal;  // the total normal, scene coordinates
-    std::vector<float> facing;    // of each light: Lambert's cosine, or its mean over the path
-    double depth;                 // along the bundle's axis
-    int object;
-    int level;
-    std::uint32_t word;  // hash
 };
 
 struct Workspace {
@@ -220,15 +212,17 @@ struct Workspace {
     std::uint64_t shared_tests = 0;
     std::vector<Path> paths;
     std::size_t paths_used = 0;
-    std::vector<EnclosingNormal> enclosing;       // of the ray that is being shaded
+    SeenTogether seen_together;
+    std::vector<EnclosingNormal> enclosing;       // of the ray that is being looked at
     hwy::AlignedFreeUniquePtr<double[]> scratch;  // children of a shared cell, in lanes
 };
 
 /// Fills in `found` for the bundle in the workspace, on the widest registers there are.
 void search_bundle(const WideScene& scene, Workspace& work);
 
-/// Looks at what a ray of the bundle has found. False if the walk along the path does not confirm
-/// it in float: the clear kernels are to judge.
-[[nodiscard]] bool see_cell(const WideScene& scene, Workspace& work, int ray, SeenCell& seen);
+/// Looks at what rays of the bundle have found, a bit each, and fills in `seen[ray]`. Returns those
+/// whose walk along the path confirms it in float: of the others the clear kernels are to judge.
+[[nodiscard]] std::uint64_t see_cells(const WideScene& scene, Workspace& work, std::uint64_t rays,
+                                      SeenCell* const* seen);
 
 }  // namespace pxm::host::wide

@@ -23,25 +23,32 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The centres of a set's table as the rays take them: for balls in the bundle's frame.
-inline const LaneTable<float>& centers_of(const WideScene& scene, Workspace& work,
-                                          const FixedCell& start, int set_index, bool two) {
-    if (scene.objects[static_cast<std::size_t>(start.object)].spheres) {
-        return work.turned[turn_table(scene, work, start.object, set_index, two)];
+/// The tables of a set as the rays below a start cell take them.
+struct TablesBelow {
+    int number = -1;  // of the set
+    const WideSet* set = nullptr;
+    const LaneTable<float>* children = nullptr;  // centres: of balls in the bundle's frame
+    const LaneTable<float>* grandchildren = nullptr;
+};
+
+inline TablesBelow tables_below(const WideScene& scene, Workspace& work, int object, int number) {
+    const WideSet& set = scene.sets[static_cast<std::size_t>(number)];
+    if (!scene.objects[static_cast<std::size_t>(object)].spheres) {
+        return {number, &set, &set.children.rows, &set.grandchildren.rows};
     }
-    const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
-    return two ? set.grandchildren.rows : set.children.rows;
+    const auto turned = [&](bool two) {
+        return &work.turned[turn_table(scene, work, object, number, two)];
+    };
+    return {number, &set, turned(false), set.grandchildren.count > 0 ? turned(true) : nullptr};
 }
 
 /// Writes the lanes that lead to lane `lane` of an opened cell.
-inline void keep_word(const WideScene& scene, const Workspace& work, int opened, int lane,
-                      Found& found) {
+inline void keep_word(const Workspace& work, int opened, int lane, Found& found) {
     int level = work.opened[static_cast<std::size_t>(opened)].level;
     bool first = true;
     for (int at = opened; at >= 0;) {
         const Opened& cell = work.opened[static_cast<std::size_t>(at)];
-        const WideSet& set = scene.sets[static_cast<std::size_t>(cell.set)];
-        const HomothetyTable& table = cell.two ? set.grandchildren : set.children;
+        const HomothetyTable& table = *cell.table;
         if (first) {
             level = cell.level + table.steps;
             found.below_count = level;
@@ -82,16 +89,18 @@ inline bool follow_fixed(const WideScene& scene, Workspace& work, const FixedCel
     opened.clear();
     opened.push_back(first);
     bool improved = false;
+    TablesBelow tables;
     while (true) {
         const auto index = static_cast<int>(opened.size()) - 1;
         Opened& cell = opened.back();
-        const WideSet& set = scene.sets[static_cast<std::size_t>(cell.set)];
+        if (cell.set != tables.number) tables = tables_below(scene, work, start.object, cell.set);
         const std::uint32_t level = start.level + static_cast<std::uint32_t>(cell.level);
-        cell.two = two_levels(ray, set, cell, level, last_level);
-        const HomothetyTable& table = cell.two ? set.grandchildren : set.children;
+        const bool two = two_levels(ray, *tables.set, cell, level, last_level);
+        cell.table = two ? &tables.set->grandchildren : &tables.set->children;
+        cell.turned = two ? tables.grandchildren : tables.children;
+        const HomothetyTable& table = *cell.table;
         const bool last = level + static_cast<std::uint32_t>(table.steps) == last_level;
-        const LaneTable<float>& turned = centers_of(scene, work, start, cell.set, cell.two);
-        ray.meet(cell, table, turned, last, met);
+        ray.meet(cell, table, *cell.turned, last, met);
         found.tested += static_cast<std::uint32_t>(table.count);
         const std::size_t bottom = stack.size();
         int best_lane = -1;
@@ -111,7 +120,7 @@ inline bool follow_fixed(const WideScene& scene, Workspace& work, const FixedCel
             }
         }
         if (best_lane >= 0) {
-            keep_word(scene, work, index, best_lane, found);
+            keep_word(work, index, best_lane, found);
             ray.found = nearest;
             ray.best = work.bundle.any_hit ? nowhere : nearest;
             improved = true;
@@ -122,17 +131,14 @@ inline bool follow_fixed(const WideScene& scene, Workspace& work, const FixedCel
         const Waiting next = stack.back();
         stack.pop_back();
         const Opened& outer = opened[static_cast<std::size_t>(next.block)];
-        const WideSet& outer_set = scene.sets[static_cast<std::size_t>(outer.set)];
-        const HomothetyTable& from = outer.two ? outer_set.grandchildren : outer_set.children;
+        const HomothetyTable& from = *outer.table;
         Opened child;
-        const LaneTable<float>& from_turned = centers_of(scene, work, start, outer.set, outer.two);
-        ray.place(outer, from, from_turned, next.lane, child);
+        ray.place(outer, from, *outer.turned, next.lane, child);
         child.constant = outer.constant * from.rows.row(HomothetyTable::constant)[next.lane];
         child.set = from.sets[static_cast<std::size_t>(next.lane)];
         child.parent = next.block;
         child.lane = next.lane;
         child.level = outer.level + from.steps;
-        child.two = false;
         opened.push_back(child);
     }
 }
@@ -206,7 +212,7 @@ inline void visit_homotheties(const WideScene& scene, Workspace& work, int index
         length = 1;
     }
     const float* keys = object.spheres ? balls.key : boxes.key;
-    Opened first{0, 0, 0, 1, static_cast<float>(cell.constant), cell.set, -1, 0, 0, false};
+    Opened first{0, 0, 0, 1, static_cast<float>(cell.constant), cell.set, -1, 0, 0};
     FixedRay fixed;
     const auto least = static_cast<float>(scene.detail * object.smallest_pixel);
     fixed.pixel_least = least;

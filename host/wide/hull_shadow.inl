@@ -73,10 +73,7 @@ inline HullShadow make_shadow(const WideObject& object, const RayBundle& bundle)
         const glm::dvec2 b = hull[static_cast<std::size_t>((i + 1) % edges)];
         area += (a.x * b.y - a.y * b.x) / 2;
         const glm::dvec2 out = glm::normalize(glm::dvec2{b.y - a.y, a.x - b.x});
-        const auto at = static_cast<std::size_t>(i);
-        shadow.x[at] = out.x;
-        shadow.y[at] = out.y;
-        shadow.height[at] = glm::dot(out, a);
+        shadow.put(i, {out.x, out.y, glm::dot(out, a)});
     }
     if (area <= largest_share * pi) shadow.edges = edges;
     return shadow;
@@ -88,10 +85,9 @@ template <class D, class V = hn::VFromD<D>, class M>
 HWY_INLINE M in_shadow(D d, const HullShadow& shadow, V x, V y, V r, V margin, M met) {
     using T = hn::TFromD<D>;
     for (int i = 0; i < shadow.edges; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        const V out = hn::Add(hn::Mul(x, hn::Set(d, static_cast<T>(shadow.x[at]))),
-                              hn::Mul(y, hn::Set(d, static_cast<T>(shadow.y[at]))));
-        const V reach = hn::Add(hn::Mul(r, hn::Set(d, static_cast<T>(shadow.height[at]))), margin);
+        const auto& edge = shadow.template edge<T>(i);
+        const V out = hn::Add(hn::Mul(x, hn::Set(d, edge.x)), hn::Mul(y, hn::Set(d, edge.y)));
+        const V reach = hn::Add(hn::Mul(r, hn::Set(d, edge.height)), margin);
         met = hn::And(met, hn::Le(hn::Neg(reach), out));
     }
     return met;

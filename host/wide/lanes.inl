@@ -78,6 +78,11 @@ HWY_INLINE Lanes3<V> add(const Lanes3<V>& a, const Lanes3<V>& b) {
 }
 
 template <class V>
+HWY_INLINE Lanes3<V> subtract(const Lanes3<V>& a, const Lanes3<V>& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+template <class V>
 HWY_INLINE V max3(V a, V b, V c) {
     return hn::Max(hn::Max(a, b), c);
 }

@@ -1,5 +1,5 @@
-// The cells on the way from an object to a hit, a level in each lane: what shading (Ch. 17) adds
-// up. The levels of a start cell are made once and serve all rays that hit below it.
+// The cells on the way from an object to a start cell: what shading (Ch. 17) adds up. They are made
+// once and serve all rays that hit below it.
 #if defined(PXM_HOST_WIDE_PATH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_PATH_INL
 #undef PXM_HOST_WIDE_PATH_INL
@@ -29,6 +29,12 @@ inline std::uint32_t hash_symbol(std::uint32_t hash, int symbol) {
     return (hash ^ 0xFF) * prime;
 }
 
+/// As gather.hpp keeps it in an image: 24 bits, never 0.
+inline std::uint32_t folded(std::uint32_t hash) {
+    const std::uint32_t short_hash = (hash >> 24 ^ hash) & 0x00FF'FFFF;
+    return short_hash == 0 ? 1 : short_hash;
+}
+
 inline void blend(std::array<float, 3>& color, const std::array<float, 4>& paint) {
     const float a = paint[3];
     for (std::size_t i = 0; i < 3; ++i) color[i] = (1 - a) * color[i] + a * paint[i];
@@ -47,6 +53,7 @@ inline Path& new_path(const WideScene& scene, Workspace& work, int object, std::
     Path& path = work.paths[static_cast<std::size_t>(index)];
     path.shared = static_cast<int>(level) + 1;
     path.object = object;
+    path.rays = 0;
     path.color = scene.objects[static_cast<std::size_t>(object)].color;
     path.hash = scene.objects[static_cast<std::size_t>(object)].hash;
     return path;
@@ -58,15 +65,13 @@ inline constexpr double deep_share = 0x1p-10;
 
 inline void put_level(Path& path, int level, const std::array<double, 12>& rows, double base,
                       double diameter) {
-    for (std::size_t i = 0; i < 12; ++i) {
-        path.rows[Path::map + i][level] = static_cast<float>(rows[i]);
-    }
-    path.rows[Path::base][level] = static_cast<float>(base);
-    path.rows[Path::from_start][level] = static_cast<float>(base - path.start_base);
-    path.rows[Path::diameter][level] = static_cast<float>(diameter);
+    double* twice = path.twice[level];
+    std::ranges::copy(rows, twice + Path::map);
+    twice[Path::base] = base;
+    twice[Path::from_start] = base - path.start_base;
+    twice[Path::diameter] = diameter;
+    for (int i = 0; i <= Path::diameter; ++i) path.rows[level][i] = static_cast<float>(twice[i]);
     if (level == 0) path.deep = diameter * deep_share > path.start_diameter;
-    for (std::size_t i = 0; i < 12; ++i) path.twice[Path::map + i][level] = rows[i];
-    path.twice[Path::base][level] = base;
 }
 
 /// The path of a start cell, its shared levels filled in. Null if it is too long.
@@ -125,172 +130,6 @@ inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
         if (object.colored) blend(path.color, set.colors[lane]);
     }
     return &path;
-}
-
-/// Adds the levels of a single ray to a path of homotheties: a cell is its centre and size.
-inline int add_own_homotheties(const WideScene& scene, const Workspace& work, const Found& found,
-                               Path& path, std::uint32_t& hash, std::array<float, 3>& color) {
-    if (path.shared + found.below_count > Path::capacity) return 0;
-    const FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(found.start)];
-    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    const int start = path.shared - 1;
-    float center[3] = {0, 0, 0};
-    float size = 1;
-    auto constant = static_cast<float>(cell.constant);
-    int set_index = cell.set;
-    for (int k = 0; k < found.below_count; ++k) {
-        const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
-        const std::size_t lane = found.below[static_cast<std::size_t>(k)];
-        const HomothetyTable& table = set.children;
-        const int level = path.shared + k;
-        for (int axis = 0; axis < 3; ++axis) center[axis] += size * table.rows.row(axis)[lane];
-        size *= table.rows.row(HomothetyTable::scale)[lane];
-        const float inverse = 1 / size;
-        for (int i = 0; i < 9; ++i) path.rows[i][level] = path.rows[i][start] * inverse;
-        for (int axis = 0; axis < 3; ++axis) {
-            path.rows[9 + axis][level] = (path.rows[9 + axis][start] - center[axis]) * inverse;
-        }
-        path.rows[Path::base][level] = path.rows[Path::base][start];
-        path.rows[Path::from_start][level] = 0;
-        path.rows[Path::diameter][level] =
-            constant * table.rows.row(HomothetyTable::diameter)[lane];
-        constant *= table.rows.row(HomothetyTable::constant)[lane];
-        hash = hash_symbol(hash, set.maps[lane]);
-        if (object.colored) blend(color, set.colors[lane]);
-        set_index = set.sets[lane];
-    }
-    return path.shared + found.below_count;
-}
-
-/// Adds the levels of a single ray to a path. Returns the number of levels, or 0 if too many.
-inline int add_own_levels(const WideScene& scene, const Workspace& work, const Found& found,
-                          Path& path, std::uint32_t& hash, std::array<float, 3>& color) {
-    const hn::ScalableTag<float> d;
-    using V = hn::VFromD<decltype(d)>;
-    hash = path.hash;
-    color = path.color;
-    if (found.below_count >= 0) {
-        return add_own_homotheties(scene, work, found, path, hash, color);
-    }
-    if (found.block < 0) return path.shared;
-    const Block* blocks = work.blocks.data();
-    const int own = static_cast<int>(blocks[found.block].level) + 1 - path.shared;
-    const int levels = path.shared + own;
-    if (levels > Path::capacity - table_step) return 0;
-    alignas(64) float maps[12][Path::capacity];
-    std::array<int, Path::capacity> sets, lanes;
-    int lane = found.lane;
-    for (int k = own - 1, index = found.block; k >= 0; --k) {
-        const Block& block = blocks[index];
-        const WideSet& set = scene.sets[static_cast<std::size_t>(block.set)];
-        for (int i = 0; i < 12; ++i) maps[i][k] = block.rows[i * set.stride + lane];
-        path.rows[Path::diameter][path.shared + k] =
-            block.rows[Block::diameter * set.stride + lane];
-        sets[static_cast<std::size_t>(k)] = block.set;
-        lanes[static_cast<std::size_t>(k)] = lane;
-        lane = block.lane;
-        index = block.parent;
-    }
-    const int start = path.shared - 1;
-    const auto outer = [&](int row) HWY_ATTR {
-        return Lanes3<V>{hn::Set(d, path.rows[3 * row][start]),
-                         hn::Set(d, path.rows[3 * row + 1][start]),
-                         hn::Set(d, path.rows[3 * row + 2][start])};
-    };
-    const Lanes3<V> u = outer(0), v = outer(1), w = outer(2), o = outer(3);
-    const V base = hn::Set(d, path.rows[Path::base][start]);
-    for (int i = 0; i < own; i += static_cast<int>(hn::Lanes(d))) {
-        const Lanes3x3<V> map = load3x3(d, maps[0] + i, Path::capacity);
-        const int at = path.shared + i;
-        store3(transform(u, map), d, path.rows[0] + at, Path::capacity);
-        store3(transform(v, map), d, path.rows[3] + at, Path::capacity);
-        store3(transform(w, map), d, path.rows[6] + at, Path::capacity);
-        store3(add(transform(o, map), load3(d, maps[9] + i, Path::capacity)), d, path.rows[9] + at,
-               Path::capacity);
-        hn::StoreU(base, d, path.rows[Path::base] + at);
-        hn::StoreU(hn::Zero(d), d, path.rows[Path::from_start] + at);
-    }
-    const WideObject& object = scene.objects[static_cast<std::size_t>(
-        work.cells[static_cast<std::size_t>(found.start)].object)];
-    for (std::size_t k = 0; k < static_cast<std::size_t>(own); ++k) {
-        const WideSet& set = scene.sets[static_cast<std::size_t>(sets[k])];
-        const auto child = static_cast<std::size_t>(lanes[k]);
-        hash = hash_symbol(hash, set.maps[child]);
-        if (object.colored) blend(color, set.colors[child]);
-    }
-    return levels;
-}
-
-/// What a ray finds at each level of a path: depths from the start cell's base, and the unit normal
-/// where it enters the volume (or leaves it), in the bundle's frame.
-struct PathHits {
-    static constexpr int room = Path::capacity + table_step;  // whole registers are stored
-    alignas(64) float key[room];
-    alignas(64) float exit[room];
-    alignas(64) float normal[3][room];
-};
-
-enum class PathSide { entry, exit };
-
-template <class D, class V = hn::VFromD<D>>
-HWY_INLINE void put_hits(D d, V v, float* to) {
-    if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
-        hn::StoreU(v, d, to);
-    } else {
-        const hn::Rebind<float, D> narrow;
-        hn::StoreU(hn::DemoteTo(narrow, v), narrow, to);
-    }
-}
-
-/// The levels [first, last) of a path; `rows` as in Path, of floats or doubles.
-template <class T>
-inline void hit_levels(const RayBundle& bundle, const Path& path, const T* rows, int first,
-                       int last, int ray, bool spheres, PathSide side, PathHits& hits) {
-    const hn::ScalableTag<T> d;
-    using V = hn::VFromD<decltype(d)>;
-    constexpr int stride = Path::capacity;
-    const V u0 = hn::Set(d, bundle.u0[ray]), u1 = hn::Set(d, bundle.u1[ray]);
-    const V v0 = hn::Set(d, bundle.v0[ray]), v1 = hn::Set(d, bundle.v1[ray]);
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    for (int i = first; i < last; i += lanes) {
-        const Lanes3<V> u = load3(d, rows + i, stride);
-        const Lanes3<V> v = load3(d, rows + 3 * stride + i, stride);
-        const Lanes3<V> w = load3(d, rows + 6 * stride + i, stride);
-        const Lanes3<V> o = load3(d, rows + 9 * stride + i, stride);
-        const V base = hn::LoadU(d, rows + Path::base * stride + i);
-        V from_start = hn::Sub(base, hn::Set(d, static_cast<T>(path.start_base)));
-        if constexpr (sizeof(T) == sizeof(float)) {  // from the difference in double
-            from_start = hn::LoadU(d, rows + Path::from_start * stride + i);
-        }
-        const Lanes3<V> origin = add_scaled(add_scaled(o, hn::Add(u0, hn::Mul(u1, base)), u),
-                                            hn::Add(v0, hn::Mul(v1, base)), v);
-        const Lanes3<V> direction = add_scaled(add_scaled(w, u1, u), v1, v);
-        const LaneInterval<V> inside =
-            spheres ? in_unit_ball(d, origin, direction) : in_unit_cube(d, origin, direction);
-        const V t = side == PathSide::entry ? inside.key : inside.exit;
-        const Lanes3<V> normal =
-            spheres ? add_scaled(origin, t, direction) : cube_normal(d, origin, direction, t);
-        const Lanes3<V> seen{dot(normal, u), dot(normal, v), dot(normal, w)};
-        const V length = hn::Sqrt(dot(seen, seen));
-        const V scale = hn::Div(hn::Set(d, T(1)), hn::Max(length, hn::Set(d, T(1e-30))));
-        const Lanes3<V> unit{hn::Mul(seen.x, scale), hn::Mul(seen.y, scale),
-                             hn::Mul(seen.z, scale)};
-        put_hits(d, hn::Add(from_start, inside.key), hits.key + i);
-        put_hits(d, hn::Add(from_start, inside.exit), hits.exit + i);
-        put_hits(d, unit.x, hits.normal[0] + i);
-        put_hits(d, unit.y, hits.normal[1] + i);
-        put_hits(d, unit.z, hits.normal[2] + i);
-    }
-}
-
-inline void hit_path(const RayBundle& bundle, const Path& path, int levels, int ray, bool spheres,
-                     PathSide side, PathHits& hits) {
-    int first = 0;
-    if (path.deep) {
-        hit_levels(bundle, path, path.twice[0], 0, path.shared, ray, spheres, side, hits);
-        first = path.shared;
-    }
-    hit_levels(bundle, path, path.rows[0], first, levels, ray, spheres, side, hits);
 }
 
 }  // namespace pxm::host::wide::HWY_NAMESPACE

@@ -70,10 +70,11 @@ void TileTracer::render_plainly() {
     const std::uint64_t inside = work_.bundle.inside;  // shadows are a bundle of their own
     const auto objects = static_cast<std::uint32_t>(wide_.objects.size());
     std::uint64_t tested = 0;
+    see_cells_of(inside);
     for_bits(inside, [&](int i) {
         const Found& found = work_.found[static_cast<std::size_t>(i)];
         PixelRecord& pixel = pixel_at(i);
-        pixel.node = static_cast<std::uint32_t>(i);
+        pixel.node = static_cast<std::uint16_t>(i);
         pixel.volumes = objects + found.tested;
         tested += pixel.volumes;
         if (found.given_up) {
@@ -156,6 +157,7 @@ void TileTracer::look(Kind kind) {
     lit_count_ = 0;
     if (!scene_.planes.empty()) meet_planes();
     search_bundle(wide_, work_);
+    see_cells_of(work_.bundle.inside);
     for_bits(work_.bundle.inside, [&](int lane) { see(kind, lane); });
     if (needs_shadows(scene_)) cast_shadows();
     for (std::size_t i = 0; i < lit_count_; ++i) add_light(lit_[i]);
@@ -192,11 +194,24 @@ void TileTracer::see(Kind kind, int i) {
     }
 }
 
+void TileTracer::see_cells_of(std::uint64_t lanes) {
+    std::uint64_t hit = 0;
+    std::array<SeenCell*, bundle_rays> seen;
+    for_bits(lanes, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        const Found& found = work_.found[at];
+        if (found.start < 0 || found.given_up) return;
+        hit |= std::uint64_t{1} << i;
+        seen[at] = &seen_[at];
+    });
+    confirmed_ = see_cells(wide_, work_, hit, seen.data());
+}
+
 void TileTracer::see_cell_in(Kind kind, int i) {
     Lane& lane = lanes_[static_cast<std::size_t>(i)];
-    LitPlace& place = lit_[lit_count_];
-    if (!see_cell(wide_, work_, i, place.seen)) return give_up(lane.pixel);
-    ++lit_count_;
+    if ((confirmed_ >> i & 1) == 0) return give_up(lane.pixel);
+    LitPlace& place = lit_[lit_count_++];
+    std::swap(place.seen, seen_[static_cast<std::size_t>(i)]);
     const bool wants_ray = needs_rays_ && !needs_all_rays_ && kind != Kind::mirror;
     if (wants_ray) lane.ray = eye_ray(lane.pixel);
     const WideObject& object = wide_.objects[static_cast<std::size_t>(place.seen.object)];
@@ -291,7 +306,7 @@ void TileTracer::store() {
         for (std::size_t k = 0; k < 3; ++k) pixel.color[k] = static_cast<float>(sum.color[k]);
         pixel.alpha = std::min(static_cast<float>(sum.opacity), 1.0F);
         pixel.volumes = sum.tested;
-        pixel.node = static_cast<std::uint32_t>(i);
+        pixel.node = static_cast<std::uint16_t>(i);
         ++rays.pixels;
         rays.hits += pixel.object >= 0 ? 1 : 0;
         rays.eye_rays += scene_.samples.size();
@@ -311,7 +326,7 @@ void TileTracer::render_clearly(int i, std::uint32_t tested) {
     PixelRecord& pixel = pixel_at(i);
     pixel = PixelRecord{};
     gather_pixel(scene_, block_, result_, pixel, rays);
-    pixel.node = static_cast<std::uint32_t>(i);
+    pixel.node = static_cast<std::uint16_t>(i);
 }
 
 }  // namespace pxm::host::wide

@@ -97,6 +97,7 @@ class TileTracer {
     void look_into_mirrors();
     void meet_planes();
     void see(Kind kind, int lane);
+    void see_cells_of(std::uint64_t lanes);
     void see_cell_in(Kind kind, int lane);
     [[nodiscard]] bool see_rest(Kind kind, int lane);
     void see_plane(Kind kind, int lane);
@@ -136,6 +137,8 @@ class TileTracer {
     long top_ = 0;
     glm::dvec2 place_{0.5};  // of the present sample
     std::array<Lane, bundle_rays> lanes_;
+    std::array<SeenCell, bundle_rays> seen_;  // of each lane that has found a cell
+    std::uint64_t confirmed_ = 0;             // they are right
     std::array<LitPlace, bundle_rays> lit_;
     std::size_t lit_count_ = 0;
     std::array<PixelSum, bundle_rays> sums_;

@@ -26,7 +26,7 @@ Frame numbered_frame() {
         pixel.object = static_cast<std::int32_t>(n += 1);
         pixel.level = static_cast<std::int32_t>(n += 1);
         pixel.word = 0xFF'FF00U + static_cast<std::uint32_t>(n += 1);
-        pixel.node = static_cast<std::uint32_t>(n += 1);
+        pixel.node = static_cast<std::uint16_t>(n += 1);
         pixel.volumes = static_cast<std::uint32_t>(n += 1);
         pixel.heap = static_cast<std::uint32_t>(n += 1);
         pixel.cycles = static_cast<std::uint64_t>(n += 1);
