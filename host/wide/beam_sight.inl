@@ -16,6 +16,7 @@
 
 #include "host/wide/beam_search.hpp"
 #include "host/wide/seen_cell.inl"
+#include "host/wide/seen_levels.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
