@@ -31,7 +31,7 @@ struct CellShadow {
 };
 
 HWY_INLINE CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, const double* rows,
-                            int stride, int lane) {
+                                int stride, int lane) {
     const auto at = [&](int i) {
         return static_cast<float>(rows[static_cast<std::ptrdiff_t>(i) * stride + lane]);
     };
@@ -53,8 +53,9 @@ HWY_INLINE CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, co
 
 /// The shadow of a large cell along a pixel's own ray. Its half axes are in the scratch table, or
 /// those of its object in its size.
-HWY_NOINLINE void turn_shadow(const WideScene& scene, const BeamWorkspace& work, const BeamCell& cell,
-                        const PixelBeam& pixel, int stride, int lane, CellShadow& shadow) {
+HWY_NOINLINE void turn_shadow(const WideScene& scene, const BeamWorkspace& work,
+                              const BeamCell& cell, const PixelBeam& pixel, int stride, int lane,
+                              CellShadow& shadow) {
     const hn::CappedTag<double, 1> d;
     using V = hn::VFromD<decltype(d)>;
     const auto at = [&](int i) {
@@ -165,7 +166,7 @@ inline constexpr std::uint32_t most_beam_levels = 120;
 
 /// Lists the open places that a small cell covers. False if there are none.
 HWY_INLINE bool find_places(const WideScene& scene, BeamWorkspace& work, BeamCell& cell, int stride,
-                        int lane) {
+                            int lane) {
     CellShadow shadow = shadow_of(scene, cell, work.scratch.get(), stride, lane);
     cell.first_place = static_cast<int>(work.covered.size());
     for (std::uint64_t rest = cell.pixels; rest != 0; rest &= rest - 1) {
