@@ -20,6 +20,7 @@ template <class Real>
 struct PointCell {
     Vec2<Real> rows[2];  // linear part
     Vec2<Real> offset;
+    Real stretch = Real(0);  // largest singular value of the linear part
     std::uint32_t next = 0;  // address in a list of maps
     std::uint32_t left = 0;  // maps not yet looked at
 };
@@ -97,28 +98,36 @@ class Inclusion {
     /// Step 3.2.1: the image of the cell's content under a map, inside the cell.
     void go_inside(const PointCell<Real>& cell, std::uint32_t map,
                    PointCell<Real>& child) noexcept {
-        constexpr std::uint32_t pair = 2 * real_words<Real>;
-        child.rows[0] = times(node_, read_vec2(node_, map + Map::linear), cell.rows);
-        child.rows[1] = times(node_, read_vec2(node_, map + Map::linear + pair), cell.rows);
+        const Vec2<Real> u = read_vec2(node_, map + Map::linear);
+        const Vec2<Real> v = read_vec2(node_, map + Map::linear + 2 * real_words<Real>);
+        child.rows[0] = times(node_, u, cell.rows);
+        child.rows[1] = times(node_, v, cell.rows);
         child.offset =
             sum(node_, times(node_, read_vec2(node_, map + Map::offset), cell.rows), cell.offset);
+        node_.tally(Operation::compare_branch, 4);
+        node_.tally(Operation::multiply_add, 1);
+        const bool homothety = u.v == Real(0) && v.u == Real(0) && u.u == v.v && Real(0) < u.u;
+        child.stretch = homothety ? u.u * cell.stretch : largest_stretch(node_, child);
     }
 
     /// Step 3.2.2: whether a point of the cell may be nearer than the best one. A cell that is as
     /// good as a point gives its distance instead.
     [[nodiscard]] bool is_open(PointCell<Real>& cell, std::uint32_t set, int level) noexcept {
         node_.tally(Operation::call, 1);
-        node_.tally(Operation::multiply_add, 2);
+        node_.tally(Operation::multiply_add, 5);
         node_.tally(Operation::compare_branch, 3);
         node_.tally(Operation::integer, 4);
         ++cells_;
         const Vec2<Real> center =
             sum(node_, times(node_, read_vec2(node_, set + Set::center), cell.rows), cell.offset);
-        const Real radius = node_.shape_real(set + Set::radius) * largest_stretch(node_, cell);
-        const Real away = length(node_, center.u, center.v);
-        if (!(away - radius < best_)) return false;
+        const Real radius = node_.shape_real(set + Set::radius) * cell.stretch;
+        const Real away2 = center.u * center.u + center.v * center.v;
+        const Real reach = best_ + radius;
+        if (!(away2 < reach * reach)) return false;
         if (!(from_double<Real>(inclusion_fineness) < radius) || level == inclusion_levels ||
             cells_ >= inclusion_cells) {
+            node_.tally(Operation::square_root, 1);
+            const Real away = square_root(away2);
             if (away < best_) best_ = away;
             return false;
         }
@@ -133,26 +142,31 @@ class Inclusion {
     PointCell<Real> stack_[inclusion_levels + 1];
 };
 
-/// The outermost cell of the attractor in a repeat `tile` away, seen from a spot at `at` in its own
-/// repeat. False if the spot has no area.
+/// From the coordinates of a texture to those of a spot.
+template <class Real>
+struct ToSpot {
+    Vec2<Real> rows[2];
+};
+
+/// The outermost cell of the attractor but for its place, and the map into the coordinates of the
+/// spot. False if the spot has no area.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] bool outermost_point_cell(Node& node, std::uint32_t texture, const Spot<Real>& spot,
-                                        PointCell<Real>& cell) noexcept {
+                                        PointCell<Real>& cell, ToSpot<Real>& to_spot) noexcept {
     using Texture = TextureRecord<real_words<Real>>;
-    node.tally(Operation::multiply_add, 12);
+    node.tally(Operation::multiply_add, 10);
     node.tally(Operation::compare_branch, 1);
     node.tally(Operation::reciprocal, 1);
     const Real area = spot.minor.u * spot.major.v - spot.minor.v * spot.major.u;
     if (!(Real(0) < area) && !(area < Real(0))) return false;
     const Real per_area = reciprocal(area);
     // The inverse of the map that takes the unit square to the spot's axes.
-    const Vec2<Real> to_spot[2] = {{spot.major.v * per_area, -spot.minor.v * per_area},
-                                   {-spot.major.u * per_area, spot.minor.u * per_area}};
+    to_spot.rows[0] = {spot.major.v * per_area, -spot.minor.v * per_area};
+    to_spot.rows[1] = {-spot.major.u * per_area, spot.minor.u * per_area};
     const Vec2<Real> step = read_vec2(node, texture + Texture::step);
-    cell.rows[0] = {step.u * to_spot[0].u, step.u * to_spot[0].v};
-    cell.rows[1] = {step.v * to_spot[1].u, step.v * to_spot[1].v};
-    const Vec2<Real> corner = read_vec2(node, texture + Texture::corner);
-    cell.offset = times(node, {corner.u - spot.at.u, corner.v - spot.at.v}, to_spot);
+    cell.rows[0] = {step.u * to_spot.rows[0].u, step.u * to_spot.rows[0].v};
+    cell.rows[1] = {step.v * to_spot.rows[1].u, step.v * to_spot.rows[1].v};
+    cell.stretch = largest_stretch(node, cell);
     return true;
 }
 
@@ -162,19 +176,22 @@ template <NodeLike Node, class Real = typename Node::Real>
                                       const Spot<Real>& spot) noexcept {
     using Texture = TextureRecord<real_words<Real>>;
     node.tally(Operation::call, 1);
+    node.tally(Operation::multiply_add, 2);
+    PointCell<Real> cell;
+    ToSpot<Real> to_spot;
+    if (!outermost_point_cell(node, texture, spot, cell, to_spot)) return Real(0);
     const std::uint32_t start = node.shape_word(texture + Texture::start_set);
+    const Vec2<Real> corner = read_vec2(node, texture + Texture::corner);
+    const Real u = corner.u - place_of(node, spot.at.u).fraction;
+    const Real v = corner.v - place_of(node, spot.at.v).fraction;
     Inclusion<Node> inclusion(node);
-    const Real u = place_of(node, spot.at.u).fraction;
-    const Real v = place_of(node, spot.at.v).fraction;
     for (const int right : {0, 1, -1}) {
         for (const int up : {0, 1, -1}) {
             node.tally(Operation::loop_turn, 1);
             node.tally(Operation::to_float, 2);
             node.tally(Operation::multiply_add, 2);
-            const Spot<Real> seen{
-                {u - from_double<Real>(right), v - from_double<Real>(up)}, spot.minor, spot.major};
-            PointCell<Real> cell;
-            if (!outermost_point_cell(node, texture, seen, cell)) return Real(0);
+            cell.offset = times(node, {u + from_double<Real>(right), v + from_double<Real>(up)},
+                                to_spot.rows);
             inclusion.search(cell, start);
         }
     }

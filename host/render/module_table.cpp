@@ -38,7 +38,7 @@ const std::vector<MeasuredModule> module_table{
     {"sphere", 305, 0, 0},
     {"texture", 1515, 44, 0},
     {"texture_image", 944, 12, 0},
-    {"texture_inclusion", 1687, 28, 0},
+    {"texture_inclusion", 1721, 28, 0},
     {"texture_wood", 2419, 120, 0},
     {"trace", 2127, 20, 0},
     {"trace_all", 3201, 24, 0},
@@ -190,10 +190,10 @@ const std::vector<MeasuredFunction> function_table{
     {"texture_image", "texel", 8, {}},  // 138
     {"texture_inclusion", "inclusion_color", 96, {199, 202, 141, 212}},  // 139
     {"texture_inclusion", "largest_stretch", 8, {}},  // 140
-    {"texture_inclusion", "inclusion_coverage", 1552, {142, 143, 131, 144, 145}},  // 141
-    {"texture_inclusion", "outermost_point_cell", 48, {143, 145}},  // 142
+    {"texture_inclusion", "inclusion_coverage", 1744, {140, 142, 143, 131, 144, 145}},  // 141
+    {"texture_inclusion", "outermost_point_cell", 16, {140, 145}},  // 142
     {"texture_inclusion", "times", 8, {}},  // 143
-    {"texture_inclusion", "Inclusion::is_open", 96, {140, 143, 145}},  // 144
+    {"texture_inclusion", "Inclusion::is_open", 80, {143, 145}},  // 144
     {"texture_inclusion", "read_vec2", 8, {}},  // 145
     {"texture_wood", "pxm::floor_integer", 8, {}},  // 146
     {"texture_wood", "wood_color", 192, {199, 202, 149, 150, 208, 131, 153, 212}},  // 147
