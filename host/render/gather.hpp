@@ -9,21 +9,9 @@
 #include "host/render/overflow.hpp"
 #include "host/render/scene_block.hpp"
 #include "host/render/statistics.hpp"
+#include "host/render/word_hash.hpp"
 
 namespace pxm::host {
-
-/// FNV-1a over the bytes of a symbol and one that ends it.
-[[nodiscard]] inline std::uint32_t hash_symbol(std::uint32_t hash, std::uint32_t symbol) {
-    for (++symbol; symbol != 0; symbol >>= 8) hash = (hash ^ (symbol & 0xFF)) * 0x0100'0193;
-    return (hash ^ 0xFF) * 0x0100'0193;
-}
-
-/// The unfinished hash of a word.
-[[nodiscard]] inline std::uint32_t hash_symbols(const std::vector<int>& word) {
-    std::uint32_t hash = 0x811C'9DC5;
-    for (const int symbol : word) hash = hash_symbol(hash, static_cast<std::uint32_t>(symbol));
-    return hash;
-}
 
 /// A 24-bit hash of a cell's word (FNV-1a over its symbols), never 0: exact in a float channel.
 /// The word is what leads from a scene's object to `object`, and on to the cell.
@@ -34,8 +22,7 @@ template <class Real>
     for (std::uint32_t i = 0; i < cell.level; ++i) {
         hash = hash_symbol(hash, cell.word.get(i, cell.bits));
     }
-    const std::uint32_t folded = (hash >> 24 ^ hash) & 0x00FF'FFFF;
-    return folded == 0 ? 1 : folded;
+    return finished_hash(hash);
 }
 
 /// Writes a finished pixel into the frame and adds its counts.

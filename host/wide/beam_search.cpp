@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "host/render/gather.hpp"
+#include "host/render/word_hash.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "host/wide/beam_search.cpp"
@@ -54,9 +54,8 @@ std::uint32_t beam_word(const WideScene& scene, const BeamWorkspace& work, int c
         symbols.push_back(static_cast<std::uint32_t>(set.maps[static_cast<std::size_t>(at->lane)]));
         at = &parent;
     }
-    for (std::size_t i = symbols.size(); i > 0; --i) hash = host::hash_symbol(hash, symbols[i - 1]);
-    const std::uint32_t folded = (hash >> 24 ^ hash) & 0x00FF'FFFF;
-    return folded == 0 ? 1 : folded;
+    for (std::size_t i = symbols.size(); i > 0; --i) hash = hash_symbol(hash, symbols[i - 1]);
+    return finished_hash(hash);
 }
 
 }  // namespace pxm::host::wide

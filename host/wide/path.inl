@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "host/render/word_hash.hpp"
 #include "host/wide/bundle_search.hpp"
 #include "host/wide/fixed_levels.inl"
 #include "host/wide/lanes.inl"
@@ -19,21 +20,6 @@ HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// FNV-1a over a symbol, as in host/render/gather.hpp.
-inline std::uint32_t hash_symbol(std::uint32_t hash, int symbol) {
-    constexpr std::uint32_t prime = 0x0100'0193;
-    for (auto rest = static_cast<std::uint32_t>(symbol) + 1; rest != 0; rest >>= 8) {
-        hash = (hash ^ (rest & 0xFF)) * prime;
-    }
-    return (hash ^ 0xFF) * prime;
-}
-
-/// As gather.hpp keeps it in an image: 24 bits, never 0.
-inline std::uint32_t folded(std::uint32_t hash) {
-    const std::uint32_t short_hash = (hash >> 24 ^ hash) & 0x00FF'FFFF;
-    return short_hash == 0 ? 1 : short_hash;
-}
 
 inline void blend(std::array<float, 3>& color, const std::array<float, 4>& paint) {
     const float a = paint[3];
@@ -92,7 +78,7 @@ inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
         const SharedCell& inner = work.cells[static_cast<std::size_t>(cells[level])];
         put_level(path, level, inner.rows, inner.base, inner.diameter);
         if (level == 0) continue;
-        path.hash = hash_symbol(path.hash, inner.symbol);
+        path.hash = hash_symbol(path.hash, static_cast<std::uint32_t>(inner.symbol));
         if (!scene.objects[static_cast<std::size_t>(cell.object)].colored) continue;
         const SharedCell& parent = work.cells[static_cast<std::size_t>(inner.parent)];
         const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
@@ -126,7 +112,7 @@ inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
         const FixedCell& parent = work.fixed_cells[static_cast<std::size_t>(inner.parent)];
         const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
         const auto lane = static_cast<std::size_t>(inner.lane);
-        path.hash = hash_symbol(path.hash, set.maps[lane]);
+        path.hash = hash_symbol(path.hash, static_cast<std::uint32_t>(set.maps[lane]));
         if (object.colored) blend(path.color, set.colors[lane]);
     }
     return &path;

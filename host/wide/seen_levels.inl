@@ -59,7 +59,7 @@ inline bool take_own_homotheties(const WideScene& scene, const Workspace& work, 
         t.map[k][3][lane] = 1 / size;
         t.diameter[k][lane] = constant * field(HomothetyTable::diameter);
         constant *= field(HomothetyTable::constant);
-        word.hash = hash_symbol(word.hash, set.maps[child]);
+        word.hash = hash_symbol(word.hash, static_cast<std::uint32_t>(set.maps[child]));
         if (object.colored) blend(word.color, set.colors[child]);
         set_index = set.sets[child];
     }
@@ -93,7 +93,7 @@ inline bool take_own_maps(const WideScene& scene, const Workspace& work, const P
         const auto [set_index, symbol] = children[static_cast<std::size_t>(k)];
         const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
         const auto at = static_cast<std::size_t>(symbol);
-        word.hash = hash_symbol(word.hash, set.maps[at]);
+        word.hash = hash_symbol(word.hash, static_cast<std::uint32_t>(set.maps[at]));
         if (colored) blend(word.color, set.colors[at]);
     }
     t.levels[lane] = path.shared + own;

@@ -169,7 +169,7 @@ inline void put_seen(const WideScene& scene, Workspace& work, const Path& path,
     }
     const SeenWord& word = t.words[static_cast<std::size_t>(lane)];
     seen.color = word.color;
-    seen.word = folded(word.hash);
+    seen.word = finished_hash(word.hash);
     seen.depth = path.start_base + static_cast<double>(t.depth[lane]);
     seen.object = path.object;
     seen.level = t.levels[lane] - 1;
