@@ -95,7 +95,7 @@ TEST(Mirror, shows_as_much_in_many_samples_as_in_one) {
     const auto mean = [&](const std::string& samples) {
         RenderRequest request;
         request.overrides.size = host::PixelSize{side, side};
-        request.overrides.crop = host::CropWindow{side / 4, top, side / 2, side};
+        request.overrides.crop = host::CropWindow{side / 4, top, 3 * side / 8, (top + side) / 2};
         const Frame frame =
             render_text(cube + faint + above + rest + camera + "render { " + samples + " }",
                         request)
