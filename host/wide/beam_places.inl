@@ -94,13 +94,7 @@ HWY_INLINE std::uint32_t places_where(const BeamWorkspace& work, const PixelBeam
         const V y = hn::Add(hn::Mul(hn::Load(d, beam.rows + i), apart), y0);
         const auto met =
             hn::And(here(d, x, y), hn::FirstN(d, static_cast<std::size_t>(work.places - i)));
-        std::uint8_t bits[8] = {};
-        const std::size_t bytes = hn::StoreMaskBits(d, met, bits);
-        std::uint32_t word = 0;
-        for (std::size_t k = 0; k < bytes; ++k) {
-            word |= static_cast<std::uint32_t>(bits[k]) << (8 * k);
-        }
-        found |= word << i;
+        found |= static_cast<std::uint32_t>(lane_bits(d, met)) << i;
     }
     return found;
 }

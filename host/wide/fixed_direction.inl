@@ -180,11 +180,7 @@ inline std::uint64_t meet_ball(const RayBundle& bundle, const FixedCell& cell,
         hn::StoreU(key, d, rays.key + i);
         auto here = hn::And(hn::Le(hn::Zero(d), half2), hn::Le(start, hn::Add(ahead, half)));
         here = in_shadow(d, shadow, x, y, hn::Set(d, 1.0F), margin, here);
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, here, bits);
-        std::uint64_t word = 0;
-        for (int k = 0; k < 8; ++k) word |= std::uint64_t{bits[k]} << (8 * k);
-        met |= word << i;
+        met |= lane_bits(d, here) << i;
     }
     return met & bundle.inside;
 }

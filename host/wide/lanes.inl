@@ -10,6 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include <cstdint>
+
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
 
@@ -85,6 +87,16 @@ HWY_INLINE Lanes3<V> subtract(const Lanes3<V>& a, const Lanes3<V>& b) {
 template <class V>
 HWY_INLINE V max3(V a, V b, V c) {
     return hn::Max(hn::Max(a, b), c);
+}
+
+/// The lanes of a mask, a bit each.
+template <class D, class M>
+HWY_INLINE std::uint64_t lane_bits(D d, M mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    std::uint64_t bits = 0;
+    for (int k = 0; k < 8; ++k) bits |= std::uint64_t{bytes[k]} << (8 * k);
+    return bits;
 }
 
 /// Part of a line, from key to exit.

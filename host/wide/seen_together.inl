@@ -31,13 +31,6 @@ struct WalkedTogether {
     std::uint64_t entered = 0;  // a level gave a normal
 };
 
-template <class D, class M>
-HWY_INLINE std::uint64_t bits_of(D d, M mask, int lane) {
-    std::uint64_t bits = 0;
-    hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&bits));
-    return bits << lane;
-}
-
 /// Walks the paths from the objects on. A walk is confirmed if the ray meets every cell within its
 /// parent's interval, and the last cell alone is terminal. Leaves the depths and total normals.
 template <int lanes>
@@ -112,9 +105,9 @@ inline WalkedTogether walk_together(const Path& path, const PathWeights& weights
         hn::StoreU(key, d, t.depth + lane);
         store3(Lanes3<V>{hn::Div(sum.x, length), hn::Div(sum.y, length), hn::Div(sum.z, length)}, d,
                t.normal[0] + lane, SeenTogether::most_lanes);
-        walked.confirmed |= bits_of(d, confirmed, lane);
-        walked.unsure |= bits_of(d, unsure, lane);
-        walked.entered |= bits_of(d, entered, lane);
+        walked.confirmed |= lane_bits(d, confirmed) << lane;
+        walked.unsure |= lane_bits(d, unsure) << lane;
+        walked.entered |= lane_bits(d, entered) << lane;
     }
     return walked;
 }

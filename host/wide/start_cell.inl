@@ -46,11 +46,7 @@ inline std::uint64_t meet_start_cell(const Workspace& work, const SharedCell& ce
         hn::StoreU(key, d, rays.key + i);
         hn::StoreU(inside.exit, d, rays.exit + i);
         const auto here = hn::And(hn::Le(inside.key, inside.exit), hn::Le(key, inside.exit));
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, here, bits);
-        std::uint64_t word = 0;
-        for (int k = 0; k < 8; ++k) word |= std::uint64_t{bits[k]} << (8 * k);
-        met |= word << i;
+        met |= lane_bits(d, here) << i;
     }
     return met & bundle.inside;
 }

@@ -43,4 +43,12 @@ bool same_picture(const host::Frame& a, const host::Frame& b) {
     return true;
 }
 
+bool same_on_machine_and_natively(const std::string& text) {
+    host::RenderRequest machine = on_machine("964dX", 24, 24);
+    host::RenderRequest native;
+    native.overrides = machine.overrides;
+    native.overrides.numeric = host::Numeric::dsp32;
+    return same_picture(render_text(text, machine).frame, render_text(text, native).frame);
+}
+
 }  // namespace pxm::test

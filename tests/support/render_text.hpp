@@ -21,6 +21,9 @@ namespace pxm::test {
 /// Whether two pictures are the same in every bit, but for which node made a pixel and when.
 [[nodiscard]] bool same_picture(const host::Frame& a, const host::Frame& b);
 
+/// Whether the machine shows, on 24x24 pixels, what native rendering in dsp32 does.
+[[nodiscard]] bool same_on_machine_and_natively(const std::string& text);
+
 /// Sierpinski's tetrahedron with a declared ball.
 inline constexpr const char* tetra_text = R"(
 ifs tetra {

@@ -72,11 +72,7 @@ TEST(AreaCovers, have_less_than_half_the_error_of_one_sample) {
 TEST(AreaCovers, are_the_same_on_the_machine_and_natively) {
     const std::string text = tetra_text + std::string("render { covers: area samples: 5 }") +
                              "light l { direction: 1,1,-1 shadow: on }";
-    RenderRequest machine = on_machine("964dX", 24, 24);
-    RenderRequest native;
-    native.overrides = machine.overrides;
-    native.overrides.numeric = Numeric::dsp32;
-    EXPECT_TRUE(same_picture(render_text(text, machine).frame, render_text(text, native).frame));
+    EXPECT_TRUE(same_on_machine_and_natively(text));
 }
 
 /// What a small heap has no room for is looked at place by place: nothing is lost, and what shows

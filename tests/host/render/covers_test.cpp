@@ -157,11 +157,7 @@ TEST(Samples, have_one_place_in_each_column_and_row_of_the_pixel) {
 TEST(Samples, are_the_same_on_the_machine_and_natively) {
     const std::string text = tetra_text + std::string("render { samples: 5 covers: on }") +
                              "light l { direction: 1,1,-1 shadow: on }";
-    RenderRequest machine = on_machine("964dX", 24, 24);
-    RenderRequest native;
-    native.overrides = machine.overrides;
-    native.overrides.numeric = Numeric::dsp32;
-    EXPECT_TRUE(same_picture(render_text(text, machine).frame, render_text(text, native).frame));
+    EXPECT_TRUE(same_on_machine_and_natively(text));
 }
 
 }  // namespace
