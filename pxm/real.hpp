@@ -126,7 +126,9 @@ template <Real R>
         std::memcpy(&value, words.data(), sizeof value);
         return value;
     } else {
-        return std::bit_cast<double>(std::uint64_t{words[0]} << 32 | words[1]);
+        const auto bits = std::bit_cast<std::uint64_t>(words);
+        return std::bit_cast<double>(
+            std::endian::native == std::endian::little ? std::rotl(bits, 32) : bits);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -31,8 +32,8 @@ class NativeNode {
         return block_[address];
     }
     [[nodiscard]] Real shape_real(std::uint32_t address) const noexcept {
-        std::array<std::uint32_t, real_words<Real>> words;
-        for (std::uint32_t i = 0; i < real_words<Real>; ++i) words[i] = block_[address + i];
+        EncodedReal<Real> words;
+        std::memcpy(words.data(), block_ + address, sizeof words);  // one load, not one a word
         return decode<Real>(words);
     }
     [[nodiscard]] std::uint32_t texture_word(std::uint32_t address) const noexcept {
