@@ -3,6 +3,7 @@
 #include "host/wide/bundle_search.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 #include <limits>
 
@@ -11,9 +12,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "host/wide/fixed_direction.inl"
 #include "host/wide/seen_together.inl"
 #include "host/wide/start_cell.inl"
+#include "host/wide/visit_ball.inl"
+#include "host/wide/visit_box.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
@@ -24,11 +26,12 @@ constexpr double start_pixels_of_maps = 24;
 
 /// The depth beyond which no ray of the bundle looks any more.
 inline double farthest_best(const Workspace& work) {
-    double farthest = 0;
-    for (std::uint64_t rays = work.bundle.inside; rays != 0; rays &= rays - 1) {
-        farthest = std::max(farthest, work.best[static_cast<std::size_t>(std::countr_zero(rays))]);
+    const hn::ScalableTag<double> d;
+    auto farthest = hn::Zero(d);
+    for (std::size_t i = 0; i < bundle_rays; i += hn::Lanes(d)) {
+        farthest = hn::Max(farthest, hn::LoadU(d, work.best.data() + i));
     }
-    return farthest;
+    return hn::GetLane(hn::MaxOfLanes(d, farthest));
 }
 
 /// Whether a shared cell is small enough for the rays to go on alone.
@@ -37,6 +40,18 @@ inline bool is_start(const WideScene& scene, const Workspace& work, const Shared
                      double most_pixels) {
     return cell.level == scene.objects[static_cast<std::size_t>(cell.object)].levels ||
            cell.diameter <= most_pixels * pixel_at(scene, work.bundle, cell.object, near);
+}
+
+/// As visit_start_cell(), for an object with a fixed direction.
+inline void visit_homotheties(const WideScene& scene, Workspace& work, int index) {
+    begin_looking(work);
+    const FixedCell cell = work.fixed_cells[static_cast<std::size_t>(index)];
+    if (scene.objects[static_cast<std::size_t>(cell.object)].spheres) {
+        spread_in_aspect(scene, work);
+        BallVisit(scene, work, cell).visit(index);
+    } else {
+        visit_box(scene, work, cell, index);
+    }
 }
 
 /// Goes down into a cell of the queue, or gives it to the rays.
@@ -99,7 +114,7 @@ float* Arena::floats(std::size_t count) {
     return room;
 }
 
-void search_bundle(const WideScene& scene, Workspace& work) {
+bool search_bundle(const WideScene& scene, Workspace& work) {
     work.cells.clear();
     work.queue.clear();
     work.blocks.clear();
@@ -109,14 +124,17 @@ void search_bundle(const WideScene& scene, Workspace& work) {
     work.fixed_cells.clear();
     work.box_beams.resize(scene.objects.size());
     work.shadows.resize(scene.objects.size());
-    work.turned.resize(2 * scene.sets.size());
-    work.turned_twice.resize(2 * scene.sets.size());
-    work.turned_for.resize(2 * scene.sets.size(), 0);
+    work.turned.resize(scene.sets.size());
+    work.turned_for.resize(scene.sets.size(), 0);
     work.shared_tests = 0;
-    for (Found& found : work.found) found.clear();
+    work.looking = false;
     work.improved = true;
     work.best = work.bundle.end;
+    for (std::uint64_t rest = ~work.bundle.inside; rest != 0; rest &= rest - 1) {
+        work.best[static_cast<std::size_t>(std::countr_zero(rest))] = 0;  // nothing to look for
+    }
     HWY_DYNAMIC_DISPATCH(search)(scene, work);
+    return work.looking;
 }
 
 std::uint64_t see_cells(const WideScene& scene, Workspace& work, std::uint64_t rays,

@@ -6,11 +6,13 @@
 // A workspace is one thread's; its memory does not grow with the picture.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
 
+#include "host/wide/aspect.hpp"
 #include "host/wide/enclosing.hpp"
 #include "host/wide/ray_bundle.hpp"
 #include "host/wide/seen_cells.hpp"
@@ -153,28 +155,44 @@ class Arena {
     std::size_t used_ = 0;
 };
 
-/// A cell on a ray's stack.
-struct Waiting {
-    float key;
-    float exit;
-    int block;
-    int lane;
+/// What a ray has met of up to `room` cells.
+struct MetCells {
+    static constexpr int room = 64;
+
+    alignas(64) float key[room];
+    int count;               // cells that were tested
+    std::uint64_t waiting;   // those that were met and not looked into, a bit each
+    std::uint64_t terminal;  // of those
 };
 
-/// A cell of homotheties that a ray opened: for balls the centre beside the ray and its depth, for
-/// boxes the depth of the centre along each axis.
-struct Opened {
+/// What a ray has met of the children in a block, those from `first` on.
+struct MetChildren : MetCells {
+    alignas(64) float exit[room];
+    int block;
+    int first;
+};
+
+/// Where a cell of homotheties is seen from a ray: for balls the centre beside the ray and its
+/// depth, for boxes the depth at which the ray passes the centre's plane across each axis.
+struct PlaceBelow {
     float x;
     float y;
     float z;
-    float size;      // of the cell, to the start cell
+    float size;  // to the start cell's
+};
+
+/// A cell of homotheties that a ray has opened, and what it met inside.
+struct OpenedCell : MetCells {
+    alignas(64) float x[room];  // PlaceBelow
+    alignas(64) float y[room];
+    alignas(64) float z[room];
+    alignas(64) float size[room];
+    const HomothetyTable* table;
+    const std::int32_t* lane;  // of each cell, in the table
+    int taken;                 // the cell that was gone into
+    std::uint32_t levels_left;
     float constant;  // Lipschitz constant of the composed map
     int set;
-    int parent;                                // in the list of opened cells
-    int lane;                                  // in the parent's table
-    int level;                                 // below the start cell
-    const HomothetyTable* table = nullptr;     // of the children or grandchildren that were tested
-    const LaneTable<float>* turned = nullptr;  // their centres, as the ray takes them
 };
 
 /// A start cell as the bundle's rays see it, and what the rays below it need.
@@ -188,7 +206,22 @@ struct StartRays {
     double base = 0;
 };
 
+/// The rays of the bundle in the frame of their aspect.
+struct AspectRays {
+    alignas(64) float a[bundle_rays];  // sideways per depth
+    alignas(64) float b[bundle_rays];
+    alignas(64) float shrink2[bundle_rays];  // 1 / (1 + a^2 + b^2)
+    alignas(64) float pace[bundle_rays];     // depth in this frame per depth in the bundle's
+    float turn[3][3];                        // the bundle's axes in this frame
+    Aspect* aspect = nullptr;
+    std::uint64_t made_for = 0;  // the bundle's number
+};
+
 struct Workspace {
+    void clear_found() {
+        for (Found& ray : found) ray.clear();
+    }
+
     RayBundle bundle;
     std::vector<SharedCell> cells;
     std::vector<FixedCell> fixed_cells;
@@ -198,12 +231,14 @@ struct Workspace {
     std::vector<Block> blocks;
     Arena arena;
     StartRays start;
-    std::vector<Waiting> stack;
-    std::vector<Opened> opened;
-    std::vector<LaneTable<float>> turned;  // homothety tables in the bundle's frame
-    std::vector<LaneTable<double>> turned_twice;
-    std::vector<std::uint64_t> turned_for;  // (bundle, object) they are right for
+    std::vector<MetChildren> met;                      // of blocks, one below the other
+    std::array<OpenedCell, Found::most_below> opened;  // one below the other
+    std::vector<LaneTable<double>> turned;             // children's centres in the bundle's frame
+    std::vector<std::uint64_t> turned_for;             // (bundle, object) they are right for
     std::uint64_t bundle_number = 0;
+    std::vector<Aspect> aspects;  // of the bundle itself, of a part of the picture, of each light
+    AspectRays aspect_rays;
+    bool looking = false;  // a start cell has been given to the rays: `found` is theirs
     std::array<Found, bundle_rays> found;
     /// What lies beyond is of no interest to a ray: where it found a cell, or where it ends.
     std::array<double, bundle_rays> best;
@@ -217,8 +252,9 @@ struct Workspace {
     hwy::AlignedFreeUniquePtr<double[]> scratch;  // children of a shared cell, in lanes
 };
 
-/// Fills in `found` for the bundle in the workspace, on the widest registers there are.
-void search_bundle(const WideScene& scene, Workspace& work);
+/// Fills in `found` for the bundle in the workspace, on the widest registers there are. False, and
+/// nothing filled in, if the bundle came to no start cell: none of its rays meets anything.
+[[nodiscard]] bool search_bundle(const WideScene& scene, Workspace& work);
 
 /// Looks at what rays of the bundle have found, a bit each, and fills in `seen[ray]`. Returns those
 /// whose walk along the path confirms it in float: of the others the clear kernels are to judge.

@@ -20,35 +20,30 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The centres of a table in the bundle's frame, in units of the cell's radius, made once a bundle.
-/// Returns where in the workspace they are.
-inline std::size_t turn_table(const WideScene& scene, Workspace& work, int object, int set_index,
-                              bool two) {
+/// The centres of a set's children in the bundle's frame, in units of the cell's radius, made once
+/// a bundle.
+inline const LaneTable<double>& turn_children(const WideScene& scene, Workspace& work, int object,
+                                              int set) {
     const hn::ScalableTag<double> d;
     using V = hn::VFromD<decltype(d)>;
-    const auto at = 2 * static_cast<std::size_t>(set_index) + (two ? 1 : 0);
+    const auto at = static_cast<std::size_t>(set);
+    LaneTable<double>& turned = work.turned[at];
+    const auto& first = scene.objects[static_cast<std::size_t>(object)];
     const std::uint64_t stamp =
-        work.bundle_number * scene.objects.size() + static_cast<std::uint64_t>(object) + 1;
-    if (work.turned_for[at] == stamp) return at;
-    const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
-    const HomothetyTable& table = two ? set.grandchildren : set.children;
-    if (work.turned_for[at] == 0) {
-        work.turned[at] = LaneTable<float>(3, table.stride);
-        work.turned_twice[at] = LaneTable<double>(3, table.stride);
-    }
+        work.bundle_number * static_cast<std::uint64_t>(scene.orientations) +
+        static_cast<std::uint64_t>(first.orientation);
+    if (work.turned_for[at] == stamp) return turned;
     work.turned_for[at] = stamp;
-    const Affine& to_unit = scene.objects[static_cast<std::size_t>(object)].to_unit;
+    const HomothetyTable& table = scene.sets[at].children;
+    if (turned.empty()) turned = LaneTable<double>(3, table.stride);
     for (int axis = 0; axis < 3; ++axis) {
-        const glm::dvec3 unit = glm::normalize(to_unit.direction(work.bundle.axis[axis]));
-        double* twice = work.turned_twice[at].row(axis);
-        float* single = work.turned[at].row(axis);
+        const glm::dvec3 unit = glm::normalize(first.to_unit.direction(work.bundle.axis[axis]));
         for (int i = 0; i < table.stride; i += static_cast<int>(hn::Lanes(d))) {
             const Lanes3<V> q = load3(d, table.twice.row(0) + i, table.stride);
-            hn::StoreU(dot(q, broadcast(d, &unit.x)), d, twice + i);
+            hn::StoreU(dot(q, broadcast(d, &unit.x)), d, turned.row(axis) + i);
         }
-        for (int i = 0; i < table.stride; ++i) single[i] = static_cast<float>(twice[i]);
     }
-    return at;
+    return turned;
 }
 
 /// The children of a fixed cell in lanes: rows of the scratch table.
@@ -136,9 +131,7 @@ inline void open_fixed_cell(const WideScene& scene, Workspace& work, int index) 
     const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
     const HomothetyTable& table = set.children;
     const LaneTable<double>& centers =
-        object.spheres
-            ? work.turned_twice[turn_table(scene, work, parent.object, parent.set, false)]
-            : table.twice;
+        object.spheres ? turn_children(scene, work, parent.object, parent.set) : table.twice;
     const BoxBeam& beam = work.box_beams[static_cast<std::size_t>(parent.object)];
     const HullShadow& shadow = work.shadows[static_cast<std::size_t>(parent.object)];
     const ShadowRoom room(scene, work.bundle, object);

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 
+#include "host/wide/aspect.hpp"
 #include "host/wide/hull_shadow.inl"
 #include "host/wide/single_ray.inl"
 
@@ -36,124 +37,114 @@ struct FixedRay {
     }
 };
 
-/// Children that a ray meets: depth and lane, terminal_bit as elsewhere.
-struct MetLanes {
-    alignas(64) float keys[most_children + register_room];
-    alignas(64) std::int32_t lanes[most_children + register_room];
-    int count = 0;
-};
-
-/// Keeps the lanes that are met, not before the ray's start and nearer than the best.
+/// Notes which of the cells from i on are met, not before the ray's start and nearer than its best,
+/// and which of these are terminal.
 template <class D, class V = hn::VFromD<D>, class M>
-HWY_INLINE void keep(D d, const FixedRay& ray, const HomothetyTable& table, int i, float constant,
-                     bool last, V key, V exit, M met, MetLanes& found) {
-    const hn::RebindToSigned<D> di;
+HWY_INLINE void note_met(D d, const FixedRay& ray, const ListedCells& cells, int i, V key, V exit,
+                         M met, OpenedCell& opened) {
     key = hn::Max(key, hn::Set(d, ray.start));
     met = hn::And(met, hn::And(hn::Le(key, exit), hn::Lt(key, hn::Set(d, ray.best))));
-    met = hn::And(met, hn::FirstN(d, static_cast<std::size_t>(table.count - i)));
-    if (hn::AllFalse(d, met)) return;
+    met = hn::And(met, hn::FirstN(d, static_cast<std::size_t>(cells.count - i)));
     const V p =
         hn::Max(hn::Add(hn::Set(d, ray.pixel_base), hn::Mul(hn::Set(d, ray.pixel_growth), key)),
                 hn::Set(d, ray.pixel_least));
-    const V diameter =
-        hn::Mul(hn::Set(d, constant), hn::LoadU(d, table.rows.row(HomothetyTable::diameter) + i));
-    const auto terminal = last ? hn::FirstN(d, hn::Lanes(d)) : hn::Le(diameter, p);
-    const auto lane = hn::Or(hn::Iota(di, i), hn::IfThenElseZero(hn::RebindMask(di, terminal),
-                                                                 hn::Set(di, terminal_bit)));
-    hn::StoreU(hn::Compress(key, met), d, found.keys + found.count);
-    hn::StoreU(hn::Compress(lane, hn::RebindMask(di, met)), di, found.lanes + found.count);
-    found.count += static_cast<int>(hn::CountTrue(d, met));
+    const V diameter = hn::Mul(hn::Set(d, opened.constant), hn::LoadU(d, cells.diameter + i));
+    hn::StoreU(key, d, opened.key + i);
+    opened.waiting |= lane_bits(d, met) << i;
+    opened.terminal |= lane_bits(d, hn::Le(diameter, p)) << i;
 }
 
-/// Balls: lengths in units of the start cell's radius, (x, y) beside the ray at the centre's depth.
+/// The place of the cells from i on.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE void keep_places(D d, int i, V x, V y, V z, V size, OpenedCell& opened) {
+    hn::StoreU(x, d, opened.x + i);
+    hn::StoreU(y, d, opened.y + i);
+    hn::StoreU(z, d, opened.z + i);
+    hn::StoreU(size, d, opened.size + i);
+}
+
+/// Balls: lengths in units of the start cell's radius.
 struct BallRay : FixedRay {
     float a;  // the ray moves sideways by (a, b) per depth
     float b;
     float shrink2;     // 1 / (1 + a^2 + b^2)
     float per_length;  // 1 / length, from scene units
     const HullShadow* shadow;
+    const WideScene* scene;
+    Aspect* aspect;
+    int object;
 
-    /// `turned`: the table's centres in the bundle's frame.
-    HWY_INLINE void meet(const Opened& cell, const HomothetyTable& table,
-                         const LaneTable<float>& turned, bool last, MetLanes& met) const {
-        const hn::ScalableTag<float> d;
+    [[nodiscard]] bool has_lists() const { return aspect->view.shared; }
+    HWY_INLINE ListedCells cells_of(const PlaceBelow& at, int set,
+                                    const HomothetyTable& table) const {
+        const float per_size = -1 / at.size;
+        return aspect->table(*scene, object, set, table)
+            .at(table, at.x * per_size, at.y * per_size);
+    }
+    HWY_INLINE void test(const PlaceBelow& at, const ListedCells& cells, OpenedCell& opened) const {
+        const hn::CappedTag<float, table_step> d;
         using V = hn::VFromD<decltype(d)>;
         const V va = hn::Set(d, a), vb = hn::Set(d, b), shrink = hn::Set(d, shrink2);
-        const V size = hn::Set(d, cell.size);
-        met.count = 0;
-        const float beside = cell.size * (std::abs(a) + std::abs(b));
-        const V margin = hn::Set(d, pixel(deepest(cell)) * per_length + beside);
-        for (int i = 0; i < table.count; i += static_cast<int>(hn::Lanes(d))) {
-            const Lanes3<V> q = load3(d, turned.row(0) + i, table.stride);
-            const V beside_x = hn::Sub(q.x, hn::Mul(va, q.z));
-            const V beside_y = hn::Sub(q.y, hn::Mul(vb, q.z));
-            const V x = hn::Add(hn::Set(d, cell.x), hn::Mul(size, beside_x));
-            const V y = hn::Add(hn::Set(d, cell.y), hn::Mul(size, beside_y));
-            const V z = hn::Add(hn::Set(d, cell.z), hn::Mul(size, q.z));
-            const V r = hn::Mul(size, hn::LoadU(d, table.rows.row(HomothetyTable::scale) + i));
+        const V size = hn::Set(d, at.size);
+        const float beside = at.size * (std::abs(a) + std::abs(b));
+        const V margin = hn::Set(d, pixel(deepest(at)) * per_length + beside);
+        for (int i = 0; i < cells.count; i += static_cast<int>(hn::Lanes(d))) {
+            const V qz = hn::LoadU(d, cells.z + i);
+            const V beside_x = hn::Sub(hn::LoadU(d, cells.x + i), hn::Mul(va, qz));
+            const V beside_y = hn::Sub(hn::LoadU(d, cells.y + i), hn::Mul(vb, qz));
+            const V x = hn::Add(hn::Set(d, at.x), hn::Mul(size, beside_x));
+            const V y = hn::Add(hn::Set(d, at.y), hn::Mul(size, beside_y));
+            const V z = hn::Add(hn::Set(d, at.z), hn::Mul(size, qz));
+            const V r = hn::Mul(size, hn::LoadU(d, cells.radius + i));
             // The foot of the perpendicular is a little off the centre's depth: rays are oblique.
             const V slope = hn::Add(hn::Mul(va, x), hn::Mul(vb, y));
             const V ahead = hn::Mul(slope, shrink);
             const V away2 = hn::Add(hn::Mul(x, x), hn::Mul(y, y));
             const V half2 = hn::Add(hn::Sub(hn::Mul(r, r), away2), hn::Mul(slope, ahead));
-            const auto inside = in_shadow(d, *shadow, x, y, r, margin, hn::Le(hn::Zero(d), half2));
-            if (hn::AllFalse(d, inside)) continue;
-            const V half = hn::Sqrt(hn::Mul(half2, shrink));
+            const auto met = in_shadow(d, *shadow, x, y, r, margin, hn::Le(hn::Zero(d), half2));
+            const V half = hn::Sqrt(hn::Mul(hn::Max(half2, hn::Zero(d)), shrink));
             const V middle = hn::Add(z, ahead);
-            keep(d, *this, table, i, cell.constant, last, hn::Sub(middle, half),
-                 hn::Add(middle, half), inside, met);
+            keep_places(d, i, x, y, z, r, opened);
+            note_met(d, *this, cells, i, hn::Sub(middle, half), hn::Add(middle, half), met, opened);
         }
     }
-    /// The cell in a lane.
-    HWY_INLINE void place(const Opened& cell, const HomothetyTable& table,
-                          const LaneTable<float>& turned, int lane, Opened& child) const {
-        const float qz = turned.row(2)[lane];
-        child.x = cell.x + cell.size * (turned.row(0)[lane] - a * qz);
-        child.y = cell.y + cell.size * (turned.row(1)[lane] - b * qz);
-        child.z = cell.z + cell.size * qz;
-        child.size = cell.size * table.rows.row(HomothetyTable::scale)[lane];
-    }
     /// Not less than the key of any cell inside.
-    [[nodiscard]] float deepest(const Opened& cell) const { return cell.z + 1.5F * cell.size; }
+    [[nodiscard]] static float deepest(const PlaceBelow& at) { return at.z + 1.5F * at.size; }
 };
 
-/// Boxes: x, y, z are the depths at which the ray passes the centre's three planes.
 struct BoxRay : FixedRay {
     float pace[3];  // depth per unit of each axis
 
-    HWY_INLINE void meet(const Opened& cell, const HomothetyTable& table,
-                         const LaneTable<float>& /*turned*/, bool last, MetLanes& met) const {
-        const hn::ScalableTag<float> d;
+    [[nodiscard]] static bool has_lists() { return false; }
+    HWY_INLINE static ListedCells cells_of(const PlaceBelow& /*at*/, int /*set*/,
+                                           const HomothetyTable& table) {
+        return whole_table(table, table.rows);
+    }
+    HWY_INLINE void test(const PlaceBelow& at, const ListedCells& cells, OpenedCell& opened) const {
+        const hn::CappedTag<float, table_step> d;
         using V = hn::VFromD<decltype(d)>;
-        const float c[3] = {cell.x, cell.y, cell.z};
-        met.count = 0;
-        for (int i = 0; i < table.count; i += static_cast<int>(hn::Lanes(d))) {
-            const V size = hn::Mul(hn::Set(d, cell.size),
-                                   hn::LoadU(d, table.rows.row(HomothetyTable::scale) + i));
-            const auto slab = [&](int k) HWY_ATTR {
-                const V q = hn::LoadU(d, table.rows.row(k) + i);
-                const V middle =
-                    hn::Add(hn::Set(d, c[k]), hn::Mul(hn::Set(d, cell.size * pace[k]), q));
-                const V half = hn::Mul(size, hn::Set(d, std::abs(pace[k])));
-                return LaneInterval<V>{hn::Sub(middle, half), hn::Add(middle, half)};
+        for (int i = 0; i < cells.count; i += static_cast<int>(hn::Lanes(d))) {
+            const V size = hn::Mul(hn::Set(d, at.size), hn::LoadU(d, cells.radius + i));
+            const auto middle = [&](float from, float along, const float* center) HWY_ATTR {
+                return hn::Add(hn::Set(d, from),
+                               hn::Mul(hn::Set(d, at.size * along), hn::LoadU(d, center + i)));
             };
-            const LaneInterval<V> x = slab(0), y = slab(1), z = slab(2);
-            const V key = max3(x.key, y.key, z.key);
-            const V exit = hn::Min(hn::Min(x.exit, y.exit), z.exit);
-            keep(d, *this, table, i, cell.constant, last, key, exit, hn::Le(key, exit), met);
+            const auto half = [&](float along)
+                                  HWY_ATTR { return hn::Mul(size, hn::Set(d, std::abs(along))); };
+            const V x = middle(at.x, pace[0], cells.x), y = middle(at.y, pace[1], cells.y),
+                    z = middle(at.z, pace[2], cells.z);
+            const V half_x = half(pace[0]), half_y = half(pace[1]), half_z = half(pace[2]);
+            const V key = max3(hn::Sub(x, half_x), hn::Sub(y, half_y), hn::Sub(z, half_z));
+            const V exit =
+                hn::Min(hn::Min(hn::Add(x, half_x), hn::Add(y, half_y)), hn::Add(z, half_z));
+            keep_places(d, i, x, y, z, size, opened);
+            note_met(d, *this, cells, i, key, exit, hn::Le(key, exit), opened);
         }
     }
-    HWY_INLINE void place(const Opened& cell, const HomothetyTable& table,
-                          const LaneTable<float>& /*turned*/, int lane, Opened& child) const {
-        child.x = cell.x + cell.size * pace[0] * table.rows.row(0)[lane];
-        child.y = cell.y + cell.size * pace[1] * table.rows.row(1)[lane];
-        child.z = cell.z + cell.size * pace[2] * table.rows.row(2)[lane];
-        child.size = cell.size * table.rows.row(HomothetyTable::scale)[lane];
-    }
-    [[nodiscard]] float deepest(const Opened& cell) const {
+    [[nodiscard]] float deepest(const PlaceBelow& at) const {
         float exit = std::numeric_limits<float>::infinity();
-        const float c[3] = {cell.x, cell.y, cell.z};
-        for (int k = 0; k < 3; ++k) exit = std::min(exit, c[k] + cell.size * std::abs(pace[k]));
+        const float c[3] = {at.x, at.y, at.z};
+        for (int k = 0; k < 3; ++k) exit = std::min(exit, c[k] + at.size * std::abs(pace[k]));
         return exit;
     }
 };

@@ -35,12 +35,12 @@ class GridWalk {
         for (int k = 0; k < 3; ++k) step_[k] = ray.pace[k] > 0 ? 1 : -1;
     }
 
-    /// From the start cell, `first`, on: the nearest terminal cell that is nearer than the ray's
-    /// best. True, and `found` and `depth` changed, if there is one.
-    bool follow(const Opened& first, float entry, std::uint32_t levels_left, Found& found,
-                float& depth) {
-        const float center[3] = {first.x, first.y, first.z};
-        enter(first.set, center, ray_.pace, first.constant, entry);
+    /// From the start cell on, whose centre's planes the ray passes at `center`: the nearest
+    /// terminal cell that is nearer than the ray's best. True, and `found` and `depth` changed, if
+    /// there is one.
+    bool follow(const FixedCell& start, const float* center, float entry, std::uint32_t levels_left,
+                Found& found, float& depth) {
+        enter(start.set, center, ray_.pace, static_cast<float>(start.constant), entry);
         while (true) {
             WalkedCell& cell = cells_[static_cast<std::size_t>(level_)];
             const HomothetyTable& table = cell.set->children;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/fractal/lipschitz.hpp"
+#include "host/wide/bundle_search.hpp"
 
 namespace pxm::host::wide {
 
@@ -67,9 +68,10 @@ bool same_shape(const CompiledVolume& a, const CompiledVolume& b) {
     return glm::length(p - q) <= rounding;
 }
 
+/// A cell some levels down.
 struct Step {
     int set;
-    int lane;
+    std::array<std::uint16_t, HomothetyTable::most_steps> lanes;
     glm::dvec3 center;
     double scale;
     double constant;
@@ -81,61 +83,78 @@ std::vector<Step> steps_of(const WideScene& scene, int set_index) {
     std::vector<Step> steps;
     for (int lane = 0; lane < set.count; ++lane) {
         const double constant = set.twice.row(ChildField::constant)[lane];
-        steps.push_back({set.sets[static_cast<std::size_t>(lane)], lane, center_of(set, lane),
-                         scale_of(set, lane), constant,
+        steps.push_back({set.sets[static_cast<std::size_t>(lane)],
+                         {static_cast<std::uint16_t>(lane)},
+                         center_of(set, lane),
+                         scale_of(set, lane),
+                         constant,
                          constant * set.twice.row(ChildField::diameter)[lane]});
     }
     return steps;
 }
 
-HomothetyTable empty_table(std::size_t count, int steps) {
+HomothetyTable table_of(const std::vector<Step>& cells, int steps, double least_skipped) {
     HomothetyTable table;
-    table.count = static_cast<int>(count);
+    table.count = static_cast<int>(cells.size());
     table.stride = (table.count + table_step - 1) / table_step * table_step;
     table.steps = steps;
+    table.least_skipped = static_cast<float>(least_skipped);
     table.rows = LaneTable<float>(HomothetyTable::row_count, table.stride);
     table.twice = LaneTable<double>(HomothetyTable::row_count, table.stride);
+    for (const Step& cell : cells) {
+        const auto lane = table.lanes.size();
+        const auto row = [&](int i, double x) {
+            table.rows.row(i)[lane] = static_cast<float>(x);
+            table.twice.row(i)[lane] = x;
+        };
+        for (int axis = 0; axis < 3; ++axis) row(HomothetyTable::center + axis, cell.center[axis]);
+        row(HomothetyTable::scale, cell.scale);
+        row(HomothetyTable::constant, cell.constant);
+        row(HomothetyTable::diameter, cell.diameter);
+        table.most_diameter = std::max(table.most_diameter, static_cast<float>(cell.diameter));
+        table.sets.push_back(cell.set);
+        table.lanes.push_back(cell.lanes);
+    }
     return table;
 }
 
-void put(HomothetyTable& table, int lane, const Step& step) {
-    const auto row = [&](int i, double x) {
-        table.rows.row(i)[lane] = static_cast<float>(x);
-        table.twice.row(i)[lane] = x;
-    };
-    for (int axis = 0; axis < 3; ++axis) row(HomothetyTable::center + axis, step.center[axis]);
-    row(HomothetyTable::scale, step.scale);
-    row(HomothetyTable::constant, step.constant);
-    row(HomothetyTable::diameter, step.diameter);
-    table.sets.push_back(step.set);
-}
-
-void tabulate(WideScene& scene, int index) {
-    const std::vector<Step> outer = steps_of(scene, index);
-    HomothetyTable children = empty_table(outer.size(), 1);
-    std::size_t pairs = 0;
-    for (const Step& step : outer) {
-        put(children, static_cast<int>(children.lanes.size()), step);
-        children.lanes.push_back({static_cast<std::uint16_t>(step.lane), 0});
-        pairs += static_cast<std::size_t>(scene.sets[static_cast<std::size_t>(step.set)].count);
-    }
-    WideSet& set = scene.sets[static_cast<std::size_t>(index)];
-    set.children = std::move(children);
-    if (pairs == 0 || pairs > table_step) return;
-    HomothetyTable both = empty_table(pairs, 2);
-    both.least_skipped = static_cast<float>(std::ranges::min(outer, {}, &Step::diameter).diameter);
-    for (const Step& first : outer) {
-        for (Step second : steps_of(scene, first.set)) {
-            const auto lane = static_cast<std::uint16_t>(second.lane);
-            second.center = first.center + second.center * first.scale;
-            second.scale *= first.scale;
-            second.constant *= first.constant;
-            second.diameter *= first.constant;
-            put(both, static_cast<int>(both.lanes.size()), second);
-            both.lanes.push_back({static_cast<std::uint16_t>(first.lane), lane});
+/// The children of all the cells; nothing if there are more than `most`.
+std::vector<Step> one_step_on(const WideScene& scene, const std::vector<Step>& cells, int steps,
+                              std::size_t most) {
+    std::vector<Step> inner;
+    for (const Step& cell : cells) {
+        for (Step next : steps_of(scene, cell.set)) {
+            if (inner.size() == most) return {};
+            const std::uint16_t lane = next.lanes[0];
+            next.lanes = cell.lanes;
+            next.lanes[static_cast<std::size_t>(steps)] = lane;
+            next.center = cell.center + next.center * cell.scale;
+            next.scale *= cell.scale;
+            next.constant *= cell.constant;
+            next.diameter *= cell.constant;
+            inner.push_back(next);
         }
     }
-    set.grandchildren = std::move(both);
+    return inner;
+}
+
+/// Balls are listed by the places where they are seen (host/wide/aspect.hpp), so that there may be
+/// many of them.
+void tabulate(WideScene& scene, int index) {
+    constexpr std::size_t most_balls = 2048;
+    constexpr double most_across = 10;  // lists of more than they would be long
+    std::vector<Step> cells = steps_of(scene, index);
+    WideSet& set = scene.sets[static_cast<std::size_t>(index)];
+    const std::size_t most = set.spheres ? most_balls : std::size_t{table_step};
+    set.children = table_of(cells, 1, 0);
+    for (int steps = 2; steps <= HomothetyTable::most_steps && !cells.empty(); ++steps) {
+        const double least = std::ranges::min(cells, {}, &Step::diameter).diameter;
+        cells = one_step_on(scene, cells, steps - 1, most);
+        double across = 0;  // of all cells, to their parent's
+        for (const Step& cell : cells) across += cell.scale * cell.scale;
+        if (set.spheres && cells.size() > table_step && across > most_across) break;
+        if (!cells.empty()) set.composed.push_back(table_of(cells, steps, least));
+    }
 }
 
 /// The fixed points of the maps, if the attractor is inside of their hull, and the hull a cull.
@@ -151,6 +170,27 @@ std::vector<glm::dvec3> hull_points(const WideScene& scene, const WideObject& ob
     }
     if (points.size() > WideObject::most_hull_points) return {};
     return points;
+}
+
+/// Numbers the ways in which objects are turned.
+void find_orientations(WideScene& scene) {
+    constexpr double alike = 1e-9;
+    std::vector<glm::dmat3> known;
+    for (WideObject& object : scene.objects) {
+        if (!object.fixed_direction) continue;
+        glm::dmat3 turn;
+        for (int axis = 0; axis < 3; ++axis) {
+            turn[axis] = glm::normalize(object.to_unit.direction(glm::dmat3{1}[axis]));
+        }
+        const auto same = std::ranges::find_if(known, [&](const glm::dmat3& other) {
+            return glm::length(turn[0] - other[0]) < alike &&
+                   glm::length(turn[1] - other[1]) < alike &&
+                   glm::length(turn[2] - other[2]) < alike;
+        });
+        object.orientation = static_cast<int>(same - known.begin());
+        if (same == known.end()) known.push_back(turn);
+    }
+    scene.orientations = static_cast<int>(known.size());
 }
 
 /// Gives the sets of an object of boxes their grids. False if a set has none.
@@ -174,7 +214,8 @@ bool has_fixed_direction(const CompiledScene& scene, const CompiledObject& objec
         return false;
     }
     return std::ranges::all_of(shape.sets, [&](const CompiledSet& set) {
-        return same_shape(set.volume, shape.sets[0].volume) &&
+        return set.maps.size() <= static_cast<std::size_t>(OpenedCell::room) &&
+               same_shape(set.volume, shape.sets[0].volume) &&
                std::ranges::all_of(set.maps, [&](int symbol) {
                    const CompiledMap& map = shape.maps[static_cast<std::size_t>(symbol)];
                    const auto inner = static_cast<std::size_t>(map.follow_set);
@@ -205,6 +246,7 @@ void tabulate_homotheties(WideScene& scene) {
         std::vector<bool> seen(scene.sets.size(), false);
         object.grid = !object.spheres && find_grids(scene, object.set, seen);
     }
+    find_orientations(scene);
 }
 
 }  // namespace pxm::host::wide

@@ -95,7 +95,8 @@ HWY_INLINE std::uint64_t lane_bits(D d, M mask) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, mask, bytes);
     std::uint64_t bits = 0;
-    for (int k = 0; k < 8; ++k) bits |= std::uint64_t{bytes[k]} << (8 * k);
+    constexpr int used = (static_cast<int>(hn::MaxLanes(D{})) + 7) / 8;
+    for (int k = 0; k < used; ++k) bits |= std::uint64_t{bytes[k]} << (8 * k);
     return bits;
 }
 

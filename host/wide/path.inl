@@ -49,10 +49,11 @@ inline Path& new_path(const WideScene& scene, Workspace& work, int object, std::
 /// where rays enter the largest cells on its path.
 inline constexpr double deep_share = 0x1p-10;
 
-inline void put_level(Path& path, int level, const std::array<double, 12>& rows, double base,
-                      double diameter) {
+/// Row `level`, of which the first numbers are filled in by `fill(row of doubles)`.
+template <class Fill>
+inline void put_level(Path& path, int level, double base, double diameter, const Fill& fill) {
     double* twice = path.twice[level];
-    std::ranges::copy(rows, twice + Path::map);
+    fill(twice);
     twice[Path::base] = base;
     twice[Path::from_start] = base - path.start_base;
     twice[Path::diameter] = diameter;
@@ -66,6 +67,9 @@ inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
     if (cell.level + 1 > Path::capacity) return nullptr;
     if (cell.path >= 0) return &work.paths[static_cast<std::size_t>(cell.path)];
     Path& path = new_path(scene, work, cell.object, cell.level, cell.path);
+    path.kind = scene.objects[static_cast<std::size_t>(cell.object)].spheres
+                    ? Path::Kind::balls_of_maps
+                    : Path::Kind::boxes_of_maps;
     path.start_base = cell.base;
     path.start_diameter = cell.diameter;
     int cells[Path::capacity];
@@ -76,7 +80,8 @@ inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
     }
     for (int level = 0; level < path.shared; ++level) {
         const SharedCell& inner = work.cells[static_cast<std::size_t>(cells[level])];
-        put_level(path, level, inner.rows, inner.base, inner.diameter);
+        put_level(path, level, inner.base, inner.diameter,
+                  [&](double* row) { std::ranges::copy(inner.rows, row); });
         if (level == 0) continue;
         path.hash = hash_symbol(path.hash, static_cast<std::uint32_t>(inner.symbol));
         if (!scene.objects[static_cast<std::size_t>(cell.object)].colored) continue;
@@ -87,6 +92,18 @@ inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
     return &path;
 }
 
+/// What the boxes of a path have in common.
+inline void put_frame(const WideObject& object, const RayBundle& bundle, const FixedCell& start,
+                      Path& path) {
+    FixedCell unit = start;
+    unit.size = 1;
+    rows_of(object, bundle, unit, path.frame, path.start_base);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 across{path.frame[k], path.frame[3 + k], path.frame[6 + k]};
+        path.face[k] = glm::normalize(across);
+    }
+}
+
 /// The same for homotheties.
 inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
     FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(start)];
@@ -94,8 +111,12 @@ inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
     if (cell.path >= 0) return &work.paths[static_cast<std::size_t>(cell.path)];
     Path& path = new_path(scene, work, cell.object, cell.level, cell.path);
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    std::array<double, 12> rows;
-    rows_of(object, work.bundle, cell, rows, path.start_base);
+    path.kind = object.spheres ? Path::Kind::balls : Path::Kind::boxes;
+    if (object.spheres) {
+        path.start_base = cell.center[2];
+    } else {
+        put_frame(object, work.bundle, cell, path);
+    }
     path.start_diameter = cell.diameter;
     int cells[Path::capacity];
     int at = start;
@@ -105,9 +126,14 @@ inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
     }
     for (int level = 0; level < path.shared; ++level) {
         const FixedCell& inner = work.fixed_cells[static_cast<std::size_t>(cells[level])];
-        double base = 0;
-        rows_of(object, work.bundle, inner, rows, base);
-        put_level(path, level, rows, base, inner.diameter);
+        const double base = object.spheres ? inner.center[2] : path.start_base;
+        put_level(path, level, base, inner.diameter, [&](double* row) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                row[k] = inner.center[k] - (object.spheres ? 0 : cell.center[k]);
+            }
+            row[3] = inner.size;
+            row[4] = 1 / inner.size;
+        });
         if (level == 0) continue;
         const FixedCell& parent = work.fixed_cells[static_cast<std::size_t>(inner.parent)];
         const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];

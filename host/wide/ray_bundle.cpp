@@ -25,6 +25,9 @@ glm::dvec2 beside_axis(const RayBundle& bundle, const glm::dvec3& p) {
 }
 
 std::uint64_t pixels_inside(const CropWindow& window, long left, long top) {
+    const bool whole = window.x0 <= left && left + tile_side <= window.x1 && window.y0 <= top &&
+                       top + tile_side <= window.y1;
+    if (whole) return ~std::uint64_t{0};
     std::uint64_t inside = 0;
     for (int ray = 0; ray < bundle_rays; ++ray) {
         const long x = left + ray % tile_side;
@@ -59,27 +62,6 @@ void reach_corners(RayBundle& bundle) {
 
 }  // namespace
 
-void RayBundle::spread() {
-    if (is_spread) return;
-    is_spread = true;
-    for (int ray = 0; ray < bundle_rays; ++ray) {
-        const glm::dvec2 beside =
-            beside_axis(*this, on_plane(*this, ray % tile_side, ray / tile_side));
-        const glm::vec2 side{beside};
-        const double stretch2 = perspective ? 1 + glm::dot(beside, beside) : 1;
-        const double length = std::sqrt(stretch2);
-        u0[ray] = perspective ? 0.0F : side.x;
-        v0[ray] = perspective ? 0.0F : side.y;
-        u1[ray] = perspective ? side.x : 0.0F;
-        v1[ray] = perspective ? side.y : 0.0F;
-        stretch[ray] = static_cast<float>(length);
-        shrink2[ray] = static_cast<float>(1 / stretch2);
-        start[ray] = 0;
-        pixel0[ray] = static_cast<float>(pixel_at_origin);
-        pixel1[ray] = static_cast<float>(pixel_growth * length);
-    }
-}
-
 void aim_at_tile(RayBundle& bundle, const CompiledCamera& camera, const CropWindow& window,
                  long left, long top, const glm::dvec2& place) {
     constexpr double half = tile_side / 2.0;
@@ -97,6 +79,7 @@ void aim_at_tile(RayBundle& bundle, const CompiledCamera& camera, const CropWind
                   in_frame(bundle, camera.down)};
     bundle.is_spread = false;
     bundle.any_hit = false;
+    bundle.aspect = {AspectOf::Kind::eye, left, top};
     bundle.pixel_at_origin = camera.pixel_at_eye;
     bundle.pixel_growth = camera.pixel_growth;
     bundle.inside = pixels_inside(window, left, top);
@@ -132,6 +115,7 @@ void gather_rays(RayBundle& bundle, std::span<const LoneRay> rays) {
     bundle.axis[1] = glm::cross(w, bundle.axis[0]);
     bundle.perspective = false;
     bundle.is_spread = true;
+    bundle.aspect = {};
     double behind = 0;
     for (const LoneRay& ray : rays) {
         const glm::dvec3 begin = ray.origin + ray.start * ray.direction - middle;

@@ -18,8 +18,18 @@ namespace pxm::host::wide {
 inline constexpr int tile_side = 8;
 inline constexpr int bundle_rays = tile_side * tile_side;
 
+/// Which aspect (host/wide/aspect.hpp) the rays are seen in: one of their own, or one that they
+/// share with others.
+struct AspectOf {
+    enum class Kind { bundle, eye, light };
+    Kind kind = Kind::bundle;
+    long column = 0;  // of the picture's part, or the light's number
+    long row = 0;
+};
+
 /// The points origin + (u0 + u1 z, v0 + v1 z, z) of the bundle's frame; the length along a ray is
-/// stretch * z and more or less something. Lanes hold something only once the rays are `spread`.
+/// stretch * z and more or less something. Lanes hold something only once the rays are spread
+/// (host/wide/spread_rays.inl); most tiles see nothing and never need them.
 struct RayBundle {
     glm::dvec3 origin{0.0};  // scene units
     glm::dvec3 axis[3];      // U, V, W: unit vectors in scene units, perpendicular
@@ -32,7 +42,8 @@ struct RayBundle {
     double most_at_origin = 0;  // and at most most_at_origin + most_growth z
     double most_growth = 0;
     std::uint64_t inside = 0;  // rays that are wanted; of a tile, bit 8 * row + column
-    bool any_hit = false;      // whether a ray meets something is all that is asked
+    AspectOf aspect;
+    bool any_hit = false;  // whether a ray meets something is all that is asked
 
     alignas(64) float u0[bundle_rays];
     alignas(64) float u1[bundle_rays];
@@ -44,9 +55,6 @@ struct RayBundle {
     alignas(64) float pixel0[bundle_rays];   // p at depth z is pixel0 + pixel1 z
     alignas(64) float pixel1[bundle_rays];
     std::array<double, bundle_rays> end;  // what is at this depth or beyond is not looked for
-
-    /// Fills in the lanes of a tile's rays. Most tiles see nothing and never need them.
-    void spread();
 
     struct Fan {  // points of the picture's plane in the bundle's frame, from the eye
         glm::dvec3 first, per_column, per_row;

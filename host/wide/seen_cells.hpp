@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <vector>
 
 namespace pxm::host::wide {
@@ -12,7 +13,10 @@ namespace pxm::host::wide {
 /// A row for each level, the object's first.
 struct Path {
     static constexpr int capacity = 128;  // levels; deeper hits are left to the clear kernels
-    static constexpr int map = 0;         // 12: U, V, W, o (SharedCell)
+    static constexpr int map = 0;         // 12: U, V, W, o (SharedCell); of homotheties 5: centre,
+                                          // size and its inverse, in the bundle's frame (balls) or
+                                          // the object's unit coordinates from the start cell's
+                                          // centre (boxes)
     static constexpr int base = 12;
     static constexpr int from_start = 13;  // base less the start cell's
     static constexpr int diameter = 14;
@@ -27,7 +31,13 @@ struct Path {
     int shared = 0;          // levels
     std::uint32_t hash = 0;  // of the shared symbols, unfinished
     std::array<float, 3> color{};
-    bool fixed = false;      // of homotheties
+    /// Of homotheties, or of maps that turn.
+    enum class Kind { balls, boxes, balls_of_maps, boxes_of_maps };
+    Kind kind = Kind::balls;
+    // Of boxes: U, V, W, o of a cell at the start cell's place, as large as the object, and the
+    // normals of its faces in the bundle's frame.
+    std::array<double, 12> frame{};
+    std::array<glm::dvec3, 3> face{};
     std::uint64_t rays = 0;  // that are to be looked at
 };
 
@@ -53,7 +63,6 @@ struct SeenTogether {
     static constexpr int most_lanes = 16;
 
     int count = 0;
-    bool fixed = false;  // homotheties
     std::array<int, most_lanes> rays{};
     alignas(64) float beside[4][most_lanes] = {};   // u0, u1, v0, v1
     alignas(64) float begin[most_lanes] = {};       // depth at which the ray begins
@@ -62,7 +71,7 @@ struct SeenTogether {
     alignas(64) float pixel_growth[most_lanes] = {};
     alignas(64) std::int32_t levels[most_lanes] = {};
     std::array<SeenWord, most_lanes> words{};
-    // Levels of a ray's own, seen from the start cell: centre and 1 / size, or an affine map.
+    // Levels of a ray's own, seen from the start cell: centre and size, or an affine map.
     alignas(64) float map[Path::capacity][12][most_lanes] = {};
     alignas(64) float diameter[Path::capacity][most_lanes] = {};
     // At each level the key and the exit, from the start cell's base, and the normal.

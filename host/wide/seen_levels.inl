@@ -34,40 +34,7 @@ inline void take_ray(const WideScene& scene, const RayBundle& bundle, const Path
     t.pixel_growth[lane] = static_cast<float>(scene.detail * growth);
 }
 
-/// The levels of a ray's own, of homotheties: centre and 1 / size seen from the start cell.
-inline bool take_own_homotheties(const WideScene& scene, const Workspace& work, const Path& path,
-                                 const Found& found, int lane, SeenTogether& t) {
-    if (path.shared + found.below_count > Path::capacity) return false;
-    const FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(found.start)];
-    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    std::array<float, 3> center{};
-    float size = 1;
-    auto constant = static_cast<float>(cell.constant);
-    int set_index = cell.set;
-    SeenWord& word = t.words[static_cast<std::size_t>(lane)];
-    word = {path.hash, path.color};
-    for (int k = 0; k < found.below_count; ++k) {
-        const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
-        const std::size_t child = found.below[static_cast<std::size_t>(k)];
-        const HomothetyTable& table = set.children;
-        const auto field = [&](int row) { return table.rows.row(row)[child]; };
-        for (int axis = 0; axis < 3; ++axis) {
-            center[static_cast<std::size_t>(axis)] += size * field(axis);
-            t.map[k][axis][lane] = center[static_cast<std::size_t>(axis)];
-        }
-        size *= field(HomothetyTable::scale);
-        t.map[k][3][lane] = 1 / size;
-        t.diameter[k][lane] = constant * field(HomothetyTable::diameter);
-        constant *= field(HomothetyTable::constant);
-        word.hash = hash_symbol(word.hash, static_cast<std::uint32_t>(set.maps[child]));
-        if (object.colored) blend(word.color, set.colors[child]);
-        set_index = set.sets[child];
-    }
-    t.levels[lane] = path.shared + found.below_count;
-    return true;
-}
-
-/// The same of other maps: from the start cell's unit coordinates to the cell's.
+/// The levels of a ray's own: maps from the start cell's unit coordinates to theirs.
 inline bool take_own_maps(const WideScene& scene, const Workspace& work, const Path& path,
                           const Found& found, int lane, SeenTogether& t) {
     SeenWord& word = t.words[static_cast<std::size_t>(lane)];
@@ -121,46 +88,81 @@ HWY_INLINE void put_hits(D d, V v, float* to) {
     }
 }
 
-/// A cell as Path has it, for rays in lanes.
-template <class V>
-struct LevelRows {
-    Lanes3<V> u, v, w, o;
-    V base, from_start;
-};
-
 /// Rays beside the bundle's axis.
 template <class V>
 struct BesideAxis {
     V u0, u1, v0, v1;
 };
 
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE BesideAxis<V> rays_beside(D d, const SeenTogether& t, int lane) {
+    const auto beside = [&](int i) HWY_ATTR { return load_floats(d, t.beside[i] + lane); };
+    return {beside(0), beside(1), beside(2), beside(3)};
+}
+
+/// Where rays are in a cell, from the start cell's base; the normals are those where they enter
+/// (leave) it, in the bundle's frame.
 template <class V>
 struct LevelHits {
     V key, exit;
     Lanes3<V> normal;
 };
 
-/// Where rays are in a cell; the normals are those where they enter (leave) it.
-template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LevelHits<V> meet_level(D d, const LevelRows<V>& cell, const BesideAxis<V>& ray,
-                                   bool spheres, PathSide side) {
-    using T = hn::TFromD<D>;
-    const V beside_u = hn::Add(ray.u0, hn::Mul(ray.u1, cell.base));
-    const V beside_v = hn::Add(ray.v0, hn::Mul(ray.v1, cell.base));
-    const Lanes3<V> origin = add_scaled(add_scaled(cell.o, beside_u, cell.u), beside_v, cell.v);
-    const Lanes3<V> direction = add_scaled(add_scaled(cell.w, ray.u1, cell.u), ray.v1, cell.v);
-    const LaneInterval<V> inside =
-        spheres ? in_unit_ball(d, origin, direction) : in_unit_cube(d, origin, direction);
-    const V t = side == PathSide::entry ? inside.key : inside.exit;
-    const Lanes3<V> normal =
-        spheres ? add_scaled(origin, t, direction) : cube_normal(d, origin, direction, t);
-    const Lanes3<V> seen{dot(normal, cell.u), dot(normal, cell.v), dot(normal, cell.w)};
-    const V length = hn::Sqrt(dot(seen, seen));
-    const V scale = hn::Div(hn::Set(d, T(1)), hn::Max(length, hn::Set(d, T(1e-30))));
-    return {hn::Add(cell.from_start, inside.key),
-            hn::Add(cell.from_start, inside.exit),
-            {hn::Mul(seen.x, scale), hn::Mul(seen.y, scale), hn::Mul(seen.z, scale)}};
-}
+/// Levels of any maps, as Path has them: U, V, W, o of balls or boxes.
+template <bool spheres>
+struct MapLevels {
+    template <class V>
+    using Rays = BesideAxis<V>;
+    template <class V>
+    struct Cell {
+        Lanes3<V> u, v, w, o;
+        V base, from_start;
+    };
+
+    template <class D, class V = hn::VFromD<D>>
+    static HWY_INLINE Rays<V> rays(D d, const Path& /*path*/, const SeenTogether& t, int lane) {
+        return rays_beside(d, t, lane);
+    }
+    template <class D, class V = hn::VFromD<D>>
+    static HWY_INLINE Cell<V> shared(D d, const hn::TFromD<D>* row) {
+        return {broadcast(d, row),           broadcast(d, row + 3),
+                broadcast(d, row + 6),       broadcast(d, row + 9),
+                hn::Set(d, row[Path::base]), hn::Set(d, row[Path::from_start])};
+    }
+    template <class D, class V = hn::VFromD<D>>
+    static HWY_INLINE Cell<V> own(D d, const Cell<V>& start, const SeenTogether& t, int k,
+                                  int lane) {
+        const auto row = [&](int i) HWY_ATTR { return hn::LoadU(d, t.map[k][i] + lane); };
+        const Lanes3x3<V> map{
+            {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}, {row(6), row(7), row(8)}}};
+        return {transform(start.u, map),
+                transform(start.v, map),
+                transform(start.w, map),
+                add(transform(start.o, map), Lanes3<V>{row(9), row(10), row(11)}),
+                start.base,
+                start.from_start};
+    }
+    template <class D, class V = hn::VFromD<D>>
+    static HWY_INLINE LevelHits<V> meet(D d, const Cell<V>& cell, const Rays<V>& ray,
+                                        PathSide side) {
+        using T = hn::TFromD<D>;
+        const V beside_u = hn::Add(ray.u0, hn::Mul(ray.u1, cell.base));
+        const V beside_v = hn::Add(ray.v0, hn::Mul(ray.v1, cell.base));
+        const Lanes3<V> origin = add_scaled(add_scaled(cell.o, beside_u, cell.u), beside_v, cell.v);
+        const Lanes3<V> direction = add_scaled(add_scaled(cell.w, ray.u1, cell.u), ray.v1, cell.v);
+        const LaneInterval<V> inside =
+            spheres ? in_unit_ball(d, origin, direction) : in_unit_cube(d, origin, direction);
+        const V t = side == PathSide::entry ? inside.key : inside.exit;
+        const Lanes3<V> normal =
+            spheres ? add_scaled(origin, t, direction) : cube_normal(d, origin, direction, t);
+        const Lanes3<V> seen{dot(normal, cell.u), dot(normal, cell.v), dot(normal, cell.w)};
+        const V length = hn::Sqrt(dot(seen, seen));
+        const V scale = hn::Div(hn::Set(d, T(1)), hn::Max(length, hn::Set(d, T(1e-30))));
+        return {hn::Add(cell.from_start, inside.key),
+                hn::Add(cell.from_start, inside.exit),
+                {hn::Mul(seen.x, scale), hn::Mul(seen.y, scale), hn::Mul(seen.z, scale)}};
+    }
+};
 
 template <class D, class V>
 HWY_INLINE void put_level_hits(D d, const LevelHits<V>& met, int level, int lane, SeenTogether& t) {
@@ -171,104 +173,53 @@ HWY_INLINE void put_level_hits(D d, const LevelHits<V>& met, int level, int lane
     put_hits(d, met.normal.z, t.hits[level][4] + lane);
 }
 
-/// A level that rays share; `row` as in Path.
-template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LevelRows<V> shared_rows(D d, const hn::TFromD<D>* row, V from_start) {
-    const auto vector = [&](int i) HWY_ATTR {
-        return Lanes3<V>{hn::Set(d, row[i]), hn::Set(d, row[i + 1]), hn::Set(d, row[i + 2])};
-    };
-    return {vector(0), vector(3), vector(6), vector(9), hn::Set(d, row[Path::base]), from_start};
-}
-
-template <class D, class V = hn::VFromD<D>>
-HWY_INLINE BesideAxis<V> rays_beside(D d, const SeenTogether& t, int lane) {
-    const auto beside = [&](int i) HWY_ATTR { return load_floats(d, t.beside[i] + lane); };
-    return {beside(0), beside(1), beside(2), beside(3)};
-}
-
 /// Where the rays enter the cells that they share; `rows` as in Path, of floats or doubles.
-template <int lanes, class T>
-inline void meet_shared_levels(const Path& path, const T (*rows)[Path::row_length], bool spheres,
+template <class Levels, int lanes, class T>
+inline void meet_shared_levels(const Path& path, const T (*rows)[Path::row_length],
                                SeenTogether& t) {
     const hn::CappedTag<T, lanes> d;
     for (int lane = 0; lane < t.count; lane += static_cast<int>(hn::Lanes(d))) {
-        const auto rays = rays_beside(d, t, lane);
+        const auto rays = Levels::rays(d, path, t, lane);
         for (int level = 0; level < path.shared; ++level) {
-            const auto from_start = hn::Set(d, rows[level][Path::from_start]);
-            const auto cell = shared_rows(d, rows[level], from_start);
-            put_level_hits(d, meet_level(d, cell, rays, spheres, PathSide::entry), level, lane, t);
+            const auto cell = Levels::shared(d, rows[level]);
+            put_level_hits(d, Levels::meet(d, cell, rays, PathSide::entry), level, lane, t);
         }
     }
 }
 
-/// The start cell, the last of the levels that rays share.
-template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LevelRows<V> start_rows(D d, const Path& path) {
-    return shared_rows(d, path.rows[path.shared - 1], hn::Zero(d));
-}
-
-/// Level k of each ray's own, seen from the bundle.
-template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LevelRows<V> own_rows(D d, const LevelRows<V>& outer, const SeenTogether& t, int k,
-                                 int lane) {
-    LevelRows<V> cell = outer;
-    const auto own = [&](int i) HWY_ATTR { return hn::LoadU(d, t.map[k][i] + lane); };
-    if (t.fixed) {
-        const V inverse = own(3);
-        const auto shrink = [&](const Lanes3<V>& v) HWY_ATTR {
-            return Lanes3<V>{hn::Mul(v.x, inverse), hn::Mul(v.y, inverse), hn::Mul(v.z, inverse)};
-        };
-        cell.u = shrink(outer.u);
-        cell.v = shrink(outer.v);
-        cell.w = shrink(outer.w);
-        cell.o = shrink(
-            {hn::Sub(outer.o.x, own(0)), hn::Sub(outer.o.y, own(1)), hn::Sub(outer.o.z, own(2))});
-        return cell;
-    }
-    const Lanes3x3<V> map{
-        {{own(0), own(1), own(2)}, {own(3), own(4), own(5)}, {own(6), own(7), own(8)}}};
-    cell.u = transform(outer.u, map);
-    cell.v = transform(outer.v, map);
-    cell.w = transform(outer.w, map);
-    cell.o = add(transform(outer.o, map), Lanes3<V>{own(9), own(10), own(11)});
-    return cell;
-}
-
 /// Where each ray enters the cells of its own, `most` of them. `lanes` is the width of a register:
 /// narrow ones are quicker for few rays.
-template <int lanes>
-inline void meet_own_levels(const Path& path, int most, bool spheres, SeenTogether& t) {
+template <class Levels, int lanes>
+inline void meet_own_levels(const Path& path, int most, SeenTogether& t) {
     const hn::CappedTag<float, lanes> d;
-    const auto outer = start_rows(d, path);
+    const auto start = Levels::shared(d, path.rows[path.shared - 1]);
     for (int lane = 0; lane < t.count; lane += static_cast<int>(hn::Lanes(d))) {
-        const auto rays = rays_beside(d, t, lane);
+        const auto rays = Levels::rays(d, path, t, lane);
         for (int k = 0; k < most; ++k) {
-            put_level_hits(
-                d, meet_level(d, own_rows(d, outer, t, k, lane), rays, spheres, PathSide::entry),
-                path.shared + k, lane, t);
+            const auto cell = Levels::own(d, start, t, k, lane);
+            put_level_hits(d, Levels::meet(d, cell, rays, PathSide::entry), path.shared + k, lane,
+                           t);
         }
     }
 }
 
 /// Where one ray leaves the last cell of its path, instead of where it enters.
-inline void leave_last_level(const Path& path, int lane, bool spheres, SeenTogether& t) {
+template <class Levels>
+inline void leave_last_level(const Path& path, int lane, SeenTogether& t) {
     const hn::CappedTag<float, 1> d;
     const hn::CappedTag<double, 1> dd;
     const int last = t.levels[lane] - 1;
+    const auto leave = [&](auto tag, const auto& cell) HWY_ATTR {
+        const auto rays = Levels::rays(tag, path, t, lane);
+        put_level_hits(tag, Levels::meet(tag, cell, rays, PathSide::exit), last, lane, t);
+    };
     if (last >= path.shared) {
-        const auto cell = own_rows(d, start_rows(d, path), t, last - path.shared, lane);
-        put_level_hits(d, meet_level(d, cell, rays_beside(d, t, lane), spheres, PathSide::exit),
-                       last, lane, t);
+        const auto start = Levels::shared(d, path.rows[path.shared - 1]);
+        leave(d, Levels::own(d, start, t, last - path.shared, lane));
     } else if (path.deep) {
-        const auto cell =
-            shared_rows(dd, path.twice[last], hn::Set(dd, path.twice[last][Path::from_start]));
-        put_level_hits(dd, meet_level(dd, cell, rays_beside(dd, t, lane), spheres, PathSide::exit),
-                       last, lane, t);
+        leave(dd, Levels::shared(dd, path.twice[last]));
     } else {
-        const auto cell =
-            shared_rows(d, path.rows[last], hn::Set(d, path.rows[last][Path::from_start]));
-        put_level_hits(d, meet_level(d, cell, rays_beside(d, t, lane), spheres, PathSide::exit),
-                       last, lane, t);
+        leave(d, Levels::shared(d, path.rows[last]));
     }
 }
 

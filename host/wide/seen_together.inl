@@ -16,6 +16,7 @@
 
 #include "host/wide/enclosing.inl"
 #include "host/wide/seen_cell.inl"
+#include "host/wide/seen_homotheties.inl"
 #include "host/wide/seen_levels.inl"
 
 HWY_BEFORE_NAMESPACE();
@@ -139,13 +140,13 @@ inline float face_lamp(const WideScene& scene, Workspace& work, const Path& path
 }
 
 /// Fills in what a ray sees; the walk along its path is confirmed.
+template <class Levels>
 inline void put_seen(const WideScene& scene, Workspace& work, const Path& path,
                      const PathWeights& weights, int lane, bool entered, SeenTogether& t,
                      SeenCell& seen) {
-    const WideObject& object = scene.objects[static_cast<std::size_t>(path.object)];
     glm::vec3 normal{t.normal[0][lane], t.normal[1][lane], t.normal[2][lane]};
     if (!entered) {
-        leave_last_level(path, lane, object.spheres, t);
+        leave_last_level<Levels>(path, lane, t);
         const auto& hits = t.hits[t.levels[lane] - 1];
         PathWalk sum;
         sum.add({hits[2][lane], hits[3][lane], hits[4][lane]}, 1);
@@ -169,16 +170,16 @@ inline void put_seen(const WideScene& scene, Workspace& work, const Path& path,
 }
 
 /// Where the rays are in the cells of their paths, and what they find on the way.
-template <int lanes>
+template <class Levels, int lanes>
 inline WalkedTogether walk_paths(const WideObject& object, const PathWeights& weights,
                                  float pixel_least, Path& path, SeenTogether& t) {
     const int most = *std::max_element(t.levels, t.levels + t.count);
-    meet_own_levels<lanes>(path, most - path.shared, object.spheres, t);
+    meet_own_levels<Levels, lanes>(path, most - path.shared, t);
     while (true) {
         if (path.deep) {
-            meet_shared_levels<lanes>(path, path.twice, object.spheres, t);
+            meet_shared_levels<Levels, lanes>(path, path.twice, t);
         } else {
-            meet_shared_levels<lanes>(path, path.rows, object.spheres, t);
+            meet_shared_levels<Levels, lanes>(path, path.rows, t);
         }
         const WalkedTogether walked =
             walk_together<lanes>(path, weights, object.levels, pixel_least, most, t);
@@ -188,6 +189,7 @@ inline WalkedTogether walk_paths(const WideObject& object, const PathWeights& we
 }
 
 /// Looks at what the rays in the lanes have found. Returns those whose walk is confirmed.
+template <class Levels>
 inline std::uint64_t see_below(const WideScene& scene, Workspace& work, Path& path,
                                SeenCell* const* seen) {
     constexpr int few = 4;  // rays
@@ -200,17 +202,33 @@ inline std::uint64_t see_below(const WideScene& scene, Workspace& work, Path& pa
     const auto least = static_cast<float>(scene.detail * object.smallest_pixel);
     if (t.enclosed) take_enclosing(scene, object, work.bundle, weights, t);
     const WalkedTogether walked =
-        t.count <= few ? walk_paths<few>(object, weights, least, path, t)
-                       : walk_paths<SeenTogether::most_lanes>(object, weights, least, path, t);
+        t.count <= few
+            ? walk_paths<Levels, few>(object, weights, least, path, t)
+            : walk_paths<Levels, SeenTogether::most_lanes>(object, weights, least, path, t);
     std::uint64_t confirmed = 0;
     for (int lane = 0; lane < t.count; ++lane) {
         if ((walked.confirmed >> lane & 1) == 0) continue;
         const int ray = t.rays[static_cast<std::size_t>(lane)];
         const bool entered = (walked.entered >> lane & 1) != 0;
-        put_seen(scene, work, path, weights, lane, entered, t, *seen[ray]);
+        put_seen<Levels>(scene, work, path, weights, lane, entered, t, *seen[ray]);
         confirmed |= std::uint64_t{1} << ray;
     }
     return confirmed;
+}
+
+inline std::uint64_t see_kind(const WideScene& scene, Workspace& work, Path& path,
+                              SeenCell* const* seen) {
+    switch (path.kind) {
+        case Path::Kind::balls:
+            return see_below<BallLevels>(scene, work, path, seen);
+        case Path::Kind::boxes:
+            return see_below<BoxLevels>(scene, work, path, seen);
+        case Path::Kind::balls_of_maps:
+            return see_below<MapLevels<true>>(scene, work, path, seen);
+        case Path::Kind::boxes_of_maps:
+            break;
+    }
+    return see_below<MapLevels<false>>(scene, work, path, seen);
 }
 
 /// Looks at what the rays of a path have found, some at a time. Returns those whose walk is
@@ -220,7 +238,7 @@ inline std::uint64_t see_path(const WideScene& scene, Workspace& work, Path& pat
     const hn::CappedTag<float, SeenTogether::most_lanes> d;
     const auto most = static_cast<int>(hn::Lanes(d));
     SeenTogether& t = work.seen_together;
-    t.fixed = path.fixed;
+    const bool fixed = path.kind == Path::Kind::balls || path.kind == Path::Kind::boxes;
     std::uint64_t confirmed = 0;
     std::uint64_t rays = path.rays;
     while (rays != 0) {
@@ -228,13 +246,13 @@ inline std::uint64_t see_path(const WideScene& scene, Workspace& work, Path& pat
         for (; rays != 0 && t.count < most; rays &= rays - 1) {
             const int ray = std::countr_zero(rays);
             const Found& found = work.found[static_cast<std::size_t>(ray)];
-            const bool taken = t.fixed ? take_own_homotheties(scene, work, path, found, t.count, t)
-                                       : take_own_maps(scene, work, path, found, t.count, t);
+            const bool taken = fixed ? take_own_homotheties(scene, work, path, found, t.count, t)
+                                     : take_own_maps(scene, work, path, found, t.count, t);
             if (!taken) continue;
             take_ray(scene, work.bundle, path, ray, t.count, t);
             t.rays[static_cast<std::size_t>(t.count++)] = ray;
         }
-        if (t.count > 0) confirmed |= see_below(scene, work, path, seen);
+        if (t.count > 0) confirmed |= see_kind(scene, work, path, seen);
     }
     path.rays = 0;
     return confirmed;
@@ -250,7 +268,6 @@ inline std::uint64_t see(const WideScene& scene, Workspace& work, std::uint64_t 
         Path* path =
             fixed ? path_of_fixed(scene, work, found.start) : path_of(scene, work, found.start);
         if (path == nullptr) continue;
-        path->fixed = fixed;
         path->rays |= rays & (~rays + 1);
     }
     std::uint64_t confirmed = 0;

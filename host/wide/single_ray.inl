@@ -1,7 +1,7 @@
 // One ray below a start cell: the children of a cell in lanes (steps 2.4.1 to 2.4.4 of Alg. 12.4
 // for all maps at once). The composed maps of a cell's children are the same for all rays of the
 // bundle: they are made when the first ray opens the cell and kept while the bundle lasts. The ray
-// goes on with the nearest child, and what is left waits on a stack, sorted.
+// goes on with the nearest child, and what is left waits for its turn.
 #if defined(PXM_HOST_WIDE_SINGLE_RAY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SINGLE_RAY_INL
 #undef PXM_HOST_WIDE_SINGLE_RAY_INL
@@ -10,6 +10,10 @@
 #endif
 
 #include <hwy/highway.h>
+
+#include <bit>
+#include <cstring>
+#include <limits>
 
 #include "host/wide/bundle_search.hpp"
 #include "host/wide/lanes.inl"
@@ -115,108 +119,120 @@ struct RayInStart {
     float found;  // depth of the terminal cell found
 };
 
-/// The children of a block that the ray meets within [key, exit] and nearer than its best, in the
-/// order of the lanes: depths and lanes. Returns how many; terminal ones have `terminal_bit`.
-inline constexpr std::int32_t terminal_bit = 1 << 30;
-
-inline int meet_children(const Block& block, const WideSet& set, const RayInStart& ray, float key,
-                         float exit, float* keys, float* exits, std::int32_t* lanes) {
+/// Tests children of a block, from `met.first` on: those that the ray meets within [key, exit] and
+/// nearer than its best.
+inline void meet_children(const Block& block, const WideSet& set, const RayInStart& ray, float key,
+                          float exit, MetChildren& met) {
     const hn::ScalableTag<float> d;
-    const hn::RebindToSigned<decltype(d)> di;
     using V = hn::VFromD<decltype(d)>;
     const Lanes3<V> origin = broadcast(d, ray.origin);
     const Lanes3<V> direction = broadcast(d, ray.direction);
     const V outer_key = hn::Set(d, key), outer_exit = hn::Set(d, exit);
     const V best = hn::Set(d, ray.best), slack = hn::Set(d, ray.slack);
-    int count = 0;
-    for (int i = 0; i < set.count; i += static_cast<int>(hn::Lanes(d))) {
-        const float* rows = block.rows + i;
+    met.waiting = met.terminal = 0;
+    for (int i = 0; i < met.count; i += static_cast<int>(hn::Lanes(d))) {
+        const float* rows = block.rows + met.first + i;
         const Lanes3x3<V> map = load3x3(d, rows, set.stride);
         const Lanes3<V> o =
             add(transform(origin, map), load3(d, rows + 9 * set.stride, set.stride));
         const Lanes3<V> v = transform(direction, map);
         const LaneInterval<V> inside = set.spheres ? in_unit_ball(d, o, v) : in_unit_cube(d, o, v);
-        auto met = hn::Le(inside.key, inside.exit);  // not NaN
+        auto here = hn::Le(inside.key, inside.exit);  // not NaN
         const V from = hn::Max(outer_key, inside.key);
         const V to = hn::Min(outer_exit, inside.exit);
-        met = hn::And(met, hn::Le(from, hn::Add(to, slack)));
-        met = hn::And(met, hn::Lt(from, best));
-        met = hn::And(met, hn::FirstN(d, static_cast<std::size_t>(set.count - i)));
-        if (hn::AllFalse(d, met)) continue;
+        here = hn::And(here, hn::Le(from, hn::Add(to, slack)));
+        here = hn::And(here, hn::Lt(from, best));
+        here = hn::And(here, hn::FirstN(d, static_cast<std::size_t>(met.count - i)));
         const V p = hn::Max(
             hn::Add(hn::Set(d, ray.pixel_base), hn::Mul(hn::Set(d, ray.pixel_growth), from)),
             hn::Set(d, ray.pixel_least));
         const V diameter = hn::LoadU(d, rows + Block::diameter * set.stride);
-        const auto terminal = block.last ? hn::FirstN(d, hn::Lanes(d)) : hn::Le(diameter, p);
-        const auto lane = hn::Or(hn::Iota(di, i), hn::IfThenElseZero(hn::RebindMask(di, terminal),
-                                                                     hn::Set(di, terminal_bit)));
-        // In registers, then whole ones to memory: compressing stores are microcode on some chips.
-        hn::StoreU(hn::Compress(from, met), d, keys + count);
-        hn::StoreU(hn::Compress(hn::Max(from, to), met), d, exits + count);
-        hn::StoreU(hn::Compress(lane, hn::RebindMask(di, met)), di, lanes + count);
-        count += static_cast<int>(hn::CountTrue(d, met));
+        hn::StoreU(from, d, met.key + i);
+        hn::StoreU(hn::Max(from, to), d, met.exit + i);
+        met.waiting |= lane_bits(d, here) << i;
+        met.terminal |= lane_bits(d, hn::Le(diameter, p)) << i;
     }
-    return count;
+    if (block.last) met.terminal = ~std::uint64_t{0};
+}
+
+/// The nearest of the cells that wait, if it is nearer than `best`; otherwise -1.
+HWY_INLINE int nearest_waiting(const MetCells& cells, float best) {
+    const hn::CappedTag<float, table_step> d;
+    using V = hn::VFromD<decltype(d)>;
+    if (cells.waiting == 0) return -1;
+    if ((cells.waiting & (cells.waiting - 1)) == 0) {
+        const int only = std::countr_zero(cells.waiting);
+        return cells.key[only] < best ? only : -1;
+    }
+    V nearest = hn::Set(d, best);
+    const auto waiting_at = [&](int i) HWY_ATTR {
+        const std::uint64_t bits = cells.waiting >> i;
+        std::uint8_t bytes[8];
+        std::memcpy(bytes, &bits, sizeof bits);
+        return hn::IfThenElse(hn::LoadMaskBits(d, bytes), hn::LoadU(d, cells.key + i),
+                              hn::Set(d, std::numeric_limits<float>::infinity()));
+    };
+    const auto lanes = static_cast<int>(hn::Lanes(d));
+    for (int i = 0; i < cells.count; i += lanes) nearest = hn::Min(nearest, waiting_at(i));
+    nearest = hn::MinOfLanes(d, nearest);
+    if (!(hn::GetLane(nearest) < best)) return -1;
+    for (int i = 0; i < cells.count; i += lanes) {
+        const std::uint64_t same = lane_bits(d, hn::Eq(waiting_at(i), nearest));
+        if (same != 0) return i + std::countr_zero(same);
+    }
+    return -1;
 }
 
 /// Nothing is nearer: a ray that is asked for any hit has one.
 inline constexpr float nowhere = -std::numeric_limits<float>::infinity();
 
-/// Room for the children of a cell, and for what a register writes beyond them.
-inline constexpr int most_children = most_maps;
-inline constexpr int register_room = 64;
-
-struct MetChildren {
-    alignas(64) float keys[most_children + register_room];
-    alignas(64) float exits[most_children + register_room];
-    alignas(64) std::int32_t lanes[most_children + register_room];
-};
-
 /// Follows a ray from the start cell (already met, not terminal) to the nearest terminal cell that
 /// is nearer than `ray.best`. True, and `found` changed, if there is one.
 inline bool follow_ray(const WideScene& scene, Workspace& work, RayInStart& ray, float key,
                        float exit, int root, std::uint32_t last_level, Found& found) {
-    MetChildren met;
-    std::vector<Waiting>& stack = work.stack;
-    stack.clear();
-    bool improved = false;
-    int block_index = root;
-    while (true) {
-        const Block& block = work.blocks[static_cast<std::size_t>(block_index)];
+    std::vector<MetChildren>& stack = work.met;
+    std::size_t depth = 0;
+    const auto open = [&](int index, float from, float to) HWY_ATTR {
+        const Block& block = work.blocks[static_cast<std::size_t>(index)];
         const WideSet& set = scene.sets[static_cast<std::size_t>(block.set)];
-        const int count = meet_children(block, set, ray, key, exit, met.keys, met.exits, met.lanes);
         found.tested += static_cast<std::uint32_t>(set.count);
-        const std::size_t first = stack.size();
-        float nearest = ray.best;
-        for (int i = 0; i < count; ++i) {
-            const float child_key = met.keys[i];
-            if (!(child_key < nearest)) continue;
-            const std::int32_t lane = met.lanes[i] & ~terminal_bit;
-            if (met.lanes[i] & terminal_bit) {
-                nearest = child_key;
-                found.block = block_index;
-                found.lane = lane;
-                continue;
-            }
-            stack.push_back({child_key, met.exits[i], block_index, lane});
-            for (std::size_t k = stack.size() - 1; k > first && stack[k - 1].key < child_key; --k) {
-                std::swap(stack[k - 1], stack[k]);
-            }
+        for (int first = 0; first < set.count; first += MetCells::room) {
+            if (depth == stack.size()) stack.emplace_back();
+            MetChildren& met = stack[depth++];
+            met.block = index;
+            met.first = first;
+            met.count = std::min(MetCells::room, set.count - first);
+            meet_children(block, set, ray, from, to, met);
         }
-        if (nearest < ray.best) {
-            ray.found = nearest;
-            ray.best = work.bundle.any_hit ? nowhere : nearest;
+    };
+    open(root, key, exit);
+    bool improved = false;
+    while (depth > 0) {
+        MetChildren& met = stack[depth - 1];
+        const int i = nearest_waiting(met, ray.best);
+        if (i < 0) {
+            --depth;
+            continue;
+        }
+        met.waiting &= ~(std::uint64_t{1} << i);
+        const int lane = met.first + i;
+        if ((met.terminal >> i & 1) != 0) {
+            ray.best = ray.found = met.key[i];
+            found.block = met.block;
+            found.lane = lane;
             improved = true;
+            if (work.bundle.any_hit) return true;
+            --depth;
+            continue;
         }
-        if (found.tested >= scene.cell_cap) found.given_up = true;
-        while (!stack.empty() && !(stack.back().key < ray.best)) stack.pop_back();
-        if (stack.empty() || found.given_up) return improved;
-        const Waiting next = stack.back();
-        stack.pop_back();
-        key = next.key;
-        exit = next.exit;
-        block_index = open_cell(scene, work, next.block, next.lane, last_level);
+        if (found.tested >= scene.cell_cap) {
+            found.given_up = true;
+            return improved;
+        }
+        const float from = met.key[i], to = met.exit[i];
+        open(open_cell(scene, work, met.block, lane, last_level), from, to);
     }
+    return improved;
 }
 
 }  // namespace pxm::host::wide::HWY_NAMESPACE

@@ -13,6 +13,7 @@
 
 #include "host/wide/shared_levels.inl"
 #include "host/wide/single_ray.inl"
+#include "host/wide/spread_rays.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
@@ -62,7 +63,7 @@ inline void note_found(Workspace& work, int ray, int start, double depth) {
 
 /// Gives a start cell to the rays of the bundle that meet it.
 inline void visit_start_cell(const WideScene& scene, Workspace& work, int index) {
-    work.bundle.spread();
+    begin_looking(work);
     const SharedCell cell = work.cells[static_cast<std::size_t>(index)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
     StartRays& rays = work.start;

@@ -61,7 +61,10 @@ void TileTracer::search_shadows(std::size_t light) {
     });
     gather_rays(work_.bundle, batch_);
     work_.bundle.any_hit = true;
-    search_bundle(wide_, work_);
+    if (scene_.lights[light].kind == kernels::LightKind::directional) {
+        work_.bundle.aspect = {AspectOf::Kind::light, static_cast<long>(light), 0};
+    }
+    if (!search_bundle(wide_, work_)) work_.clear_found();
     for (std::size_t i = 0; i < batch_.size(); ++i) {
         const Found& found = work_.found[i];
         LitPlace& place = lit_[places[i]];

@@ -1,7 +1,8 @@
 #include "host/wide/tile_tracer.hpp"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
-#include <bit>
 #include <glm/geometric.hpp>
 
 #include "host/render/gather.hpp"
@@ -10,16 +11,6 @@
 #include "host/wide/to_node.hpp"
 
 namespace pxm::host::wide {
-
-namespace {
-
-/// Calls `each(bit)` for the bits that are set.
-template <class Each>
-void for_bits(std::uint64_t bits, const Each& each) {
-    for (; bits != 0; bits &= bits - 1) each(std::countr_zero(bits));
-}
-
-}  // namespace
 
 TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide, const ClearRest& rest,
                        const std::vector<std::uint32_t>& block, Frame& frame)
@@ -41,6 +32,12 @@ TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide, const 
     int widest = table_step;
     for (const WideSet& set : wide.sets) widest = std::max(widest, set.stride);
     work_.scratch = hwy::AllocateAligned<double>(static_cast<std::size_t>(widest) * 32);
+    for (std::size_t i = 0; i < nothing_seen_.size(); ++i) {
+        PixelRecord& pixel = nothing_seen_[i];
+        std::ranges::copy(wide.background, pixel.color);
+        pixel.node = static_cast<std::uint16_t>(i);
+        pixel.volumes = static_cast<std::uint32_t>(wide.objects.size());
+    }
     if (!scene.area) return;
     beams_ = std::make_unique<BeamWorkspace>();
     prepare_places();
@@ -61,51 +58,9 @@ void TileTracer::render(long left, long top) {
     store();
 }
 
-/// One ray a pixel, cells and lights alone: nothing is to be added up.
-void TileTracer::render_plainly() {
-    place_ = scene_.samples[0];
-    aim_at_tile(work_.bundle, scene_.camera, scene_.crop, left_, top_, place_);
-    search_bundle(wide_, work_);
-    lit_count_ = 0;
-    const std::uint64_t inside = work_.bundle.inside;  // shadows are a bundle of their own
-    const auto objects = static_cast<std::uint32_t>(wide_.objects.size());
-    std::uint64_t tested = 0;
-    see_cells_of(inside);
-    for_bits(inside, [&](int i) {
-        const Found& found = work_.found[static_cast<std::size_t>(i)];
-        PixelRecord& pixel = pixel_at(i);
-        pixel.node = static_cast<std::uint16_t>(i);
-        pixel.volumes = objects + found.tested;
-        tested += pixel.volumes;
-        if (found.given_up) {
-            give_up(i);
-        } else if (found.start < 0) {
-            std::ranges::copy(wide_.background, pixel.color);
-        } else {
-            lanes_[static_cast<std::size_t>(i)].pixel = i;
-            sums_[static_cast<std::size_t>(i)] = {};
-            see_cell_in(Kind::first_sample, i);
-        }
-    });
-    if (needs_shadows(scene_)) cast_shadows();
-    for (std::size_t k = 0; k < lit_count_; ++k) {
-        PixelRecord& pixel = pixel_at(lit_[k].lane);
-        const PixelSum& sum = sums_[static_cast<std::size_t>(lit_[k].lane)];
-        std::ranges::copy(color_of(lit_[k]), pixel.color);
-        pixel.alpha = 1;
-        pixel.volumes += sum.tested;
-        tested += sum.tested;
-        rays.light_rays += sum.light_rays;
-        rays.hits += (unclear_ >> lit_[k].lane & 1) == 0 ? 1 : 0;
-    }
-    const auto pixels = static_cast<std::uint64_t>(std::popcount(inside & ~unclear_));
-    rays.pixels += pixels;
-    rays.eye_rays += pixels;
-    rays.volumes_tested += tested;
-    for_bits(inside & unclear_, [&](int i) {
-        rays.volumes_tested -= pixel_at(i).volumes;
-        render_clearly(i, pixel_at(i).volumes - objects);
-    });
+RayStatistics TileTracer::finish() {
+    hwy::FlushStream();
+    return rays_;
 }
 
 void TileTracer::aim(std::size_t sample) {
@@ -156,7 +111,7 @@ double TileTracer::depth_at(int lane, double length) const {
 void TileTracer::look(Kind kind) {
     lit_count_ = 0;
     if (!scene_.planes.empty()) meet_planes();
-    search_bundle(wide_, work_);
+    if (!search_bundle(wide_, work_)) work_.clear_found();
     see_cells_of(work_.bundle.inside);
     for_bits(work_.bundle.inside, [&](int lane) { see(kind, lane); });
     if (needs_shadows(scene_)) cast_shadows();
@@ -307,12 +262,12 @@ void TileTracer::store() {
         pixel.alpha = std::min(static_cast<float>(sum.opacity), 1.0F);
         pixel.volumes = sum.tested;
         pixel.node = static_cast<std::uint16_t>(i);
-        ++rays.pixels;
-        rays.hits += pixel.object >= 0 ? 1 : 0;
-        rays.eye_rays += scene_.samples.size();
-        rays.light_rays += sum.light_rays;
-        rays.reflect_rays += sum.mirror_rays;
-        rays.volumes_tested += sum.tested;
+        ++rays_.pixels;
+        rays_.hits += pixel.object >= 0 ? 1 : 0;
+        rays_.eye_rays += scene_.samples.size();
+        rays_.light_rays += sum.light_rays;
+        rays_.reflect_rays += sum.mirror_rays;
+        rays_.volumes_tested += sum.tested;
     });
 }
 
@@ -325,7 +280,7 @@ void TileTracer::render_clearly(int i, std::uint32_t tested) {
     result_.counts.volumes_tested += tested;
     PixelRecord& pixel = pixel_at(i);
     pixel = PixelRecord{};
-    gather_pixel(scene_, block_, result_, pixel, rays);
+    gather_pixel(scene_, block_, result_, pixel, rays_);
     pixel.node = static_cast<std::uint16_t>(i);
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -22,6 +23,12 @@
 
 namespace pxm::host::wide {
 
+/// Calls `each(bit)` for the bits that are set.
+template <class Each>
+void for_bits(std::uint64_t bits, const Each& each) {
+    for (; bits != 0; bits &= bits - 1) each(std::countr_zero(bits));
+}
+
 /// One thread's tools.
 class TileTracer {
   public:
@@ -32,7 +39,8 @@ class TileTracer {
     /// Renders those of the tile's pixels that lie in the crop window.
     void render(long left, long top);
 
-    RayStatistics rays;
+    /// After the last tile: all pixels are in memory. What their rays added up to.
+    [[nodiscard]] RayStatistics finish();
 
   private:
     using Node = NativeNode<double>;
@@ -80,6 +88,7 @@ class TileTracer {
     };
 
     void render_plainly();
+    void see_nothing();
     void render_area();
     void prepare_places();
     void aim_beams();
@@ -119,6 +128,7 @@ class TileTracer {
     }
     void give_up(int pixel) { unclear_ |= std::uint64_t{1} << pixel; }
 
+    RayStatistics rays_;
     const CompiledScene& scene_;
     const WideScene& wide_;
     const std::vector<std::uint32_t>& block_;
@@ -132,6 +142,7 @@ class TileTracer {
     bool needs_rays_;      // there are planes, shadows or mirrors
     bool is_plain_;        // render_plainly() will do
     std::optional<ClearSearch> rest_;
+    std::array<PixelRecord, bundle_rays> nothing_seen_;  // of a tile
     Workspace work_;
     long left_ = 0;  // of the tile
     long top_ = 0;

@@ -2,8 +2,10 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
+#include <vector>
 
 #include "host/render/scene_block.hpp"
 #include "host/wide/tile_tracer.hpp"
@@ -14,6 +16,34 @@ namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Tiles that one thread renders one after another: their first pixels, and one beyond the last.
+struct TileBlock {
+    long x0, y0, x1, y1;
+};
+
+/// Blocks of the crop window, those of a part of the picture (host/wide/aspect.hpp) one after
+/// another, so that a thread makes few aspects.
+std::vector<TileBlock> blocks_of_tiles(const CropWindow& crop, long part) {
+    constexpr long most_side = 8 * tile_side;
+    const long side = std::min(part, most_side);
+    const auto first_tile = [](long pixel) { return pixel / tile_side * tile_side; };
+    std::vector<TileBlock> blocks;
+    for (long part_y = crop.y0 / part * part; part_y < crop.y1; part_y += part) {
+        for (long part_x = crop.x0 / part * part; part_x < crop.x1; part_x += part) {
+            for (long y = part_y; y < part_y + part; y += side) {
+                for (long x = part_x; x < part_x + part; x += side) {
+                    const TileBlock block{std::max(x, first_tile(crop.x0)),
+                                          std::max(y, first_tile(crop.y0)),
+                                          std::min({x + side, part_x + part, crop.x1}),
+                                          std::min({y + side, part_y + part, crop.y1})};
+                    if (block.x0 < block.x1 && block.y0 < block.y1) blocks.push_back(block);
+                }
+            }
+        }
+    }
+    return blocks;
 }
 
 }  // namespace
@@ -31,10 +61,7 @@ EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
     result.load_seconds = seconds_since(start);
 
     const auto render_start = std::chrono::steady_clock::now();
-    const long first_column = scene.crop.x0 / tile_side;
-    const long first_row = scene.crop.y0 / tile_side;
-    const long across = (scene.crop.x1 + tile_side - 1) / tile_side - first_column;
-    const long tiles = across * ((scene.crop.y1 + tile_side - 1) / tile_side - first_row);
+    const std::vector<TileBlock> blocks = blocks_of_tiles(scene.crop, wide.aspect_side);
     std::atomic<long> done = 0;
     std::atomic<bool> stopped = false;
     std::exception_ptr failure;
@@ -42,19 +69,23 @@ EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
     {
         try {
             TileTracer tracer(scene, wide, rest, block, result.frame);
-#pragma omp for schedule(dynamic, 4) nowait
-            for (long tile = 0; tile < tiles; ++tile) {
-                if (control.stop && *control.stop) stopped = true;
-                if (stopped.load(std::memory_order_relaxed)) continue;
-                tracer.render((first_column + tile % across) * tile_side,
-                              (first_row + tile / across) * tile_side);
+#pragma omp for schedule(dynamic) nowait
+            for (std::size_t i = 0; i < blocks.size(); ++i) {
+                const TileBlock& tiles = blocks[i];
+                for (long top = tiles.y0; top < tiles.y1; top += tile_side) {
+                    for (long left = tiles.x0; left < tiles.x1; left += tile_side) {
+                        if (control.stop && *control.stop) stopped = true;
+                        if (!stopped.load(std::memory_order_relaxed)) tracer.render(left, top);
+                    }
+                }
                 const long finished = ++done;
                 if (control.progress && omp_get_thread_num() == 0) {
-                    control.progress(static_cast<double>(finished) / static_cast<double>(tiles));
+                    control.progress(static_cast<double>(finished) /
+                                     static_cast<double>(blocks.size()));
                 }
             }
 #pragma omp critical(pxm_wide_sum)
-            { result.rays.add(tracer.rays); }
+            { result.rays.add(tracer.finish()); }
         } catch (...) {
 #pragma omp critical(pxm_wide_failure)
             failure = std::current_exception();

@@ -10,6 +10,7 @@
 #include "host/fractal/lipschitz.hpp"
 #include "host/render/gather.hpp"
 #include "host/render/scene_block.hpp"
+#include "host/wide/aspect.hpp"
 #include "host/wide/homotheties.hpp"
 
 namespace pxm::host::wide {
@@ -160,17 +161,20 @@ std::string why_not(const CompiledScene& scene, const CompiledObject& object) {
 }
 
 ObjectMethod wide_method(const CompiledScene& scene, const CompiledObject& object,
-                         const WideObject& wide) {
-    const std::size_t maps = scene.shapes[static_cast<std::size_t>(object.shape)].maps.size();
+                         const WideObject& wide, const std::vector<WideSet>& sets) {
     if (scene.area) return {object.name, "wide, beams", "local covers by area"};
     if (!wide.fixed_direction) {
         return {object.name, "wide, composed maps", "maps that are no homotheties"};
     }
     if (wide.grid) return {object.name, "wide, grid walk", "homotheties to boxes in slices"};
-    if (maps * maps <= table_step) {
-        return {object.name, "wide, grandchildren", "few maps, all homotheties"};
+    const std::vector<HomothetyTable>& composed = sets[static_cast<std::size_t>(wide.set)].composed;
+    if (!composed.empty()) {
+        const std::string levels =
+            fmt::format("homotheties, up to {} levels at once", composed.back().steps);
+        const bool lists = composed.back().count > table_step;
+        return {object.name, lists ? "wide, listed cells" : "wide, grandchildren", levels};
     }
-    return {object.name, "wide, children", "many maps, all homotheties"};
+    return {object.name, "wide, children", "homotheties"};
 }
 
 }  // namespace
@@ -220,7 +224,7 @@ std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
         if (!reason.empty() || !own.empty()) {
             methods.push_back({object.name, "heap", own.empty() ? reason : "it " + own});
         } else {
-            methods.push_back(wide_method(scene, object, wide.objects[at]));
+            methods.push_back(wide_method(scene, object, wide.objects[at], wide.sets));
         }
     }
     return methods;
@@ -229,6 +233,8 @@ std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
 WideScene make_wide_scene(const CompiledScene& scene) {
     WideScene wide;
     wide.camera = scene.camera;
+    wide.size = scene.size;
+    wide.aspect_side = aspect_side(scene.camera, scene.size);
     wide.detail = scene.detail;
     wide.cell_cap = scene.cell_cap;
     wide.unit = scene.unit;

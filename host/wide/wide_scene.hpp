@@ -40,6 +40,7 @@ class LaneTable {
         data_ = hwy::AllocateAligned<T>(size);
         std::fill_n(data_.get(), size, T(0));
     }
+    [[nodiscard]] bool empty() const { return data_ == nullptr; }
     [[nodiscard]] T* row(int i) { return data_.get() + static_cast<std::ptrdiff_t>(i) * stride_; }
     [[nodiscard]] const T* row(int i) const {
         return data_.get() + static_cast<std::ptrdiff_t>(i) * stride_;
@@ -50,9 +51,10 @@ class LaneTable {
     hwy::AlignedFreeUniquePtr<T[]> data_;
 };
 
-/// The children of a cell whose maps are homotheties, or all its grandchildren: where their centres
+/// All cells that are so many levels below a cell whose maps are homotheties: where their centres
 /// are in the cell's unit coordinates, and how large they are.
 struct HomothetyTable {
+    static constexpr int most_steps = 6;
     static constexpr int center = 0;    // 3
     static constexpr int scale = 3;     // of the child to the cell
     static constexpr int constant = 4;  // product of the maps' Lipschitz constants
@@ -61,9 +63,10 @@ struct HomothetyTable {
 
     int count = 0;
     int stride = 0;
-    int steps = 1;            // levels down: 1 or 2
-    float least_skipped = 0;  // diameter of the smallest cell between, two steps down
-    std::vector<std::array<std::uint16_t, 2>> lanes;  // of each step, in the sets' tables
+    int steps = 1;            // levels down
+    float least_skipped = 0;  // diameter of the smallest cell between, if there are any
+    float most_diameter = 0;  // of the cells
+    std::vector<std::array<std::uint16_t, most_steps>> lanes;  // of each step, in the sets' tables
     std::vector<int> sets;
     LaneTable<float> rows;
     LaneTable<double> twice;  // the same
@@ -91,11 +94,11 @@ struct WideSet {
     std::vector<int> sets;  // follow set of each child, counted through all shapes
     LaneTable<double> twice;
     LaneTable<float> single;
-    LaneTable<double> beams;       // empty unless there are local covers by area
-    double coverage = 1;           // of its volume, by its attractor, on average
-    HomothetyTable children;       // empty unless the object is `fixed_direction`
-    HomothetyTable grandchildren;  // empty unless they fit one table_step
-    ChildGrid grid;                // of `children`, if they are boxes in slices
+    LaneTable<double> beams;               // empty unless there are local covers by area
+    double coverage = 1;                   // of its volume, by its attractor, on average
+    HomothetyTable children;               // empty unless the object is `fixed_direction`
+    std::vector<HomothetyTable> composed;  // of two steps, three and so on
+    ChildGrid grid;                        // of `children`, if they are boxes in slices
 };
 
 /// An object: from scene units to the unit coordinates of its outermost volume.
@@ -121,7 +124,8 @@ struct WideObject {
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
     bool fixed_direction = false;
-    bool grid = false;  // and all its sets have their children in slices
+    bool grid = false;    // and all its sets have their children in slices
+    int orientation = 0;  // the same for such objects that are turned alike
     /// Corners of the attractor's hull in unit coordinates, if it serves as a cull
     /// (host/wide/hull_shadow.inl).
     static constexpr std::size_t most_hull_points = 32;
@@ -134,8 +138,11 @@ struct WideObject {
 struct WideScene {
     std::vector<WideSet> sets;        // of all shapes
     std::vector<WideObject> objects;  // those that the wide engine can do
+    int orientations = 0;             // of those with a fixed direction
     std::vector<CompiledEnclosure> enclosures;
     CompiledCamera camera;
+    PixelSize size;        // of the whole picture
+    long aspect_side = 0;  // of its parts (host/wide/aspect.hpp)
     double detail = 1;
     std::uint32_t cell_cap = 0;
     double unit = 1;

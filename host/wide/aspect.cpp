@@ -1,0 +1,133 @@
+#include "host/wide/aspect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "host/wide/ray_bundle.hpp"
+
+namespace pxm::host::wide {
+
+namespace {
+
+constexpr int most_orientations = 8;  // of objects with lists: every one has lists of its own
+
+}  // namespace
+
+void Aspect::make(AspectTable& table, const WideObject& object, const HomothetyTable& cells) const {
+    glm::dmat3 to_frame;
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec3 unit = glm::normalize(object.to_unit.direction(view.axis[axis]));
+        for (int i = 0; i < 3; ++i) to_frame[i][axis] = unit[i];
+    }
+    table.make(cells, to_frame, view);
+    table.made_for = number;
+}
+
+namespace {
+
+/// Axes that look along w.
+void look_along(AspectView& view, const glm::dvec3& w) {
+    const glm::dvec3 other = std::abs(w.x) < 0.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0};
+    view.axis[2] = w;
+    view.axis[0] = glm::normalize(glm::cross(other, w));
+    view.axis[1] = glm::cross(w, view.axis[0]);
+}
+
+/// The part of the picture whose first pixel is (left, top).
+AspectView view_of_part(const WideScene& scene, long left, long top) {
+    const CompiledCamera& camera = scene.camera;
+    AspectView view;
+    view.shared = true;
+    if (camera.projection != kernels::Projection::perspective) {
+        look_along(view, glm::normalize(camera.forward));
+        return view;
+    }
+    const auto ray = [&](long column, long row) {
+        return glm::normalize(camera.corner + camera.across * static_cast<double>(column) +
+                              camera.down * static_cast<double>(row));
+    };
+    const long right = std::min(left + scene.aspect_side, scene.size.columns);
+    const long bottom = std::min(top + scene.aspect_side, scene.size.rows);
+    glm::dvec3 middle{0.0};
+    for (const long row : {top, bottom}) {
+        for (const long column : {left, right}) middle += ray(column, row);
+    }
+    look_along(view, glm::normalize(middle));
+    for (const long row : {top, bottom}) {
+        for (const long column : {left, right}) {
+            const glm::dvec3 d = ray(column, row);
+            const double pace = glm::dot(d, view.axis[2]);
+            const double reach = std::sqrt(std::max(0.0, 1 / (pace * pace) - 1));
+            view.reach = std::max(view.reach, reach);
+        }
+    }
+    return view;
+}
+
+}  // namespace
+
+long aspect_side(const CompiledCamera& camera, const PixelSize& size) {
+    constexpr double widest = 0.1;  // of the tangents that rays of a part may have between them
+    constexpr long least = 4 * tile_side;
+    const long whole = (std::max(size.columns, size.rows) / tile_side + 1) * tile_side;
+    if (camera.projection != kernels::Projection::perspective) return whole;
+    const glm::dvec3 middle = camera.corner +
+                              camera.across * (static_cast<double>(size.columns) / 2) +
+                              camera.down * (static_cast<double>(size.rows) / 2);
+    const double pixels = widest * glm::length(middle) / glm::length(camera.across);
+    if (pixels >= static_cast<double>(whole)) return whole;
+    return std::max(least, static_cast<long>(pixels) / tile_side * tile_side);
+}
+
+namespace {
+
+/// The number of an aspect among those that are kept.
+std::size_t place_of(const AspectOf& of) {
+    switch (of.kind) {
+        case AspectOf::Kind::bundle:
+            return 0;
+        case AspectOf::Kind::eye:
+            return 1;
+        case AspectOf::Kind::light:
+            break;
+    }
+    return 2 + static_cast<std::size_t>(of.column);
+}
+
+void begin(const WideScene& scene, Aspect& aspect, const AspectView& view) {
+    aspect.view = view;
+    aspect.view.shared = view.shared && scene.orientations <= most_orientations;
+    ++aspect.number;
+}
+
+}  // namespace
+
+Aspect& aspect_of(const WideScene& scene, const RayBundle& bundle, std::vector<Aspect>& aspects) {
+    constexpr double parallel = 1e-6;  // what rounding makes of it
+    const AspectOf& of = bundle.aspect;
+    if (aspects.empty()) aspects = std::vector<Aspect>(2 + scene.lights.size());
+    Aspect& aspect = aspects[place_of(of)];
+    if (aspect.tables.empty()) {
+        aspect.tables = std::vector<AspectTable>(static_cast<std::size_t>(scene.orientations) *
+                                                 scene.sets.size() * HomothetyTable::most_steps);
+    }
+    if (of.kind == AspectOf::Kind::bundle) {
+        begin(scene, aspect, {{bundle.axis[0], bundle.axis[1], bundle.axis[2]}, 0, false});
+    } else if (of.kind == AspectOf::Kind::eye) {
+        const long side = scene.aspect_side, column = of.column / side, row = of.row / side;
+        if (aspect.number > 0 && aspect.column == column && aspect.row == row) return aspect;
+        aspect.column = column;
+        aspect.row = row;
+        begin(scene, aspect, view_of_part(scene, column * side, row * side));
+    } else if (aspect.number == 0) {
+        AspectView view;
+        view.reach = parallel;
+        view.shared = true;
+        look_along(view, scene.lights[static_cast<std::size_t>(of.column)].place);
+        begin(scene, aspect, view);
+    }
+    return aspect;
+}
+
+}  // namespace pxm::host::wide
