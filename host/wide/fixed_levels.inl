@@ -54,6 +54,23 @@ struct FixedRows {
     static constexpr int far = 5;
 };
 
+/// How rays that move sideways by (a, b) per depth pass balls of radius r whose centres are (x, y)
+/// beside them at the centre's depth. `shrink2` is 1 / (1 + a^2 + b^2).
+template <class V>
+struct BallPass {
+    V ahead;  // depth of the foot of the perpendicular from the centre: rays are oblique
+    V half2;  // the square of half the chord, negative on a miss
+
+    HWY_INLINE BallPass(V x, V y, V r, V a, V b, V shrink2) {
+        const V slope = hn::Add(hn::Mul(a, x), hn::Mul(b, y));
+        ahead = hn::Mul(slope, shrink2);
+        const V away2 = hn::Add(hn::Mul(x, x), hn::Mul(y, y));
+        half2 = hn::Add(hn::Sub(hn::Mul(r, r), away2), hn::Mul(slope, ahead));
+    }
+    /// Half the depth between entry and exit; NaN on a miss.
+    [[nodiscard]] HWY_INLINE V half(V shrink2) const { return hn::Sqrt(hn::Mul(half2, shrink2)); }
+};
+
 /// Detail times the size of a pixel in scene units, at most: max(pixel0 + pixel1 z, least).
 struct ShadowRoom {
     double pixel0, pixel1, least;

@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "host/wide/aspect.hpp"
+#include "host/wide/fixed_levels.inl"
 #include "host/wide/hull_shadow.inl"
 #include "host/wide/single_ray.inl"
 
@@ -96,16 +97,13 @@ struct BallRay : FixedRay {
             const V y = hn::Add(hn::Set(d, at.y), hn::Mul(size, beside_y));
             const V z = hn::Add(hn::Set(d, at.z), hn::Mul(size, qz));
             const V r = hn::Mul(size, hn::LoadU(d, cells.radius + i));
-            // The foot of the perpendicular is a little off the centre's depth: rays are oblique.
-            const V slope = hn::Add(hn::Mul(va, x), hn::Mul(vb, y));
-            const V ahead = hn::Mul(slope, shrink);
-            const V away2 = hn::Add(hn::Mul(x, x), hn::Mul(y, y));
-            const V half2 = hn::Add(hn::Sub(hn::Mul(r, r), away2), hn::Mul(slope, ahead));
-            const auto met = in_shadow(d, *shadow, x, y, r, margin, hn::Le(hn::Zero(d), half2));
-            const V half = hn::Sqrt(hn::Mul(hn::Max(half2, hn::Zero(d)), shrink));
-            const V middle = hn::Add(z, ahead);
+            const BallPass<V> pass(x, y, r, va, vb, shrink);
+            const V half = pass.half(shrink);
+            const V middle = hn::Add(z, pass.ahead);
+            const V key = hn::Sub(middle, half), exit = hn::Add(middle, half);
+            const auto met = in_shadow(d, *shadow, x, y, r, margin, hn::Le(key, exit));
             keep_places(d, i, x, y, z, r, opened);
-            note_met(d, *this, cells, i, hn::Sub(middle, half), hn::Add(middle, half), met, opened);
+            note_met(d, *this, cells, i, key, exit, met, opened);
         }
     }
     /// Not less than the key of any cell inside.

@@ -41,7 +41,7 @@ struct RayBundle {
     double pixel_growth = 0;
     double most_at_origin = 0;  // and at most most_at_origin + most_growth z
     double most_growth = 0;
-    std::uint64_t inside = 0;  // rays that are wanted; of a tile, bit 8 * row + column
+    std::uint64_t inside = 0;  // rays that are still wanted; of a tile, bit 8 * row + column
     AspectOf aspect;
     bool any_hit = false;  // whether a ray meets something is all that is asked
 

@@ -112,13 +112,9 @@ struct BallLevels {
         const auto& [u0, u1, v0, v1] = ray.beside;
         const V x = hn::Sub(cell.x, hn::Add(u0, hn::Mul(u1, cell.z)));
         const V y = hn::Sub(cell.y, hn::Add(v0, hn::Mul(v1, cell.z)));
-        const V slope = hn::Add(hn::Mul(u1, x), hn::Mul(v1, y));
-        const V ahead = hn::Mul(slope, ray.shrink2);
-        const V away2 = hn::Add(hn::Mul(x, x), hn::Mul(y, y));
-        const V half2 =
-            hn::Add(hn::Sub(hn::Mul(cell.radius, cell.radius), away2), hn::Mul(slope, ahead));
-        const V half = hn::Sqrt(hn::Mul(half2, ray.shrink2));
-        const V key = hn::Sub(ahead, half), exit = hn::Add(ahead, half);
+        const BallPass<V> pass(x, y, cell.radius, u1, v1, ray.shrink2);
+        const V half = pass.half(ray.shrink2);
+        const V key = hn::Sub(pass.ahead, half), exit = hn::Add(pass.ahead, half);
         const V from = side == PathSide::entry ? key : exit;
         const auto normal = [&](V place) HWY_ATTR { return hn::Mul(place, cell.inverse); };
         return {hn::Add(cell.from_start, key),

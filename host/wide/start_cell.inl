@@ -58,6 +58,7 @@ inline void note_found(Workspace& work, int ray, int start, double depth) {
     work.found[at].start = start;
     work.found[at].depth = depth;
     work.best[at] = work.bundle.any_hit ? -beyond : depth;
+    if (work.bundle.any_hit) work.bundle.inside &= ~(std::uint64_t{1} << ray);
     work.improved = true;
 }
 

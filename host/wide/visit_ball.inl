@@ -50,13 +50,10 @@ inline std::uint64_t meet_ball(const RayBundle& bundle, const AspectRays& aspect
         const V x = hn::Sub(center_x, u);
         const V y = hn::Sub(center_y, v);
         const V shrink = hn::LoadU(d, bundle.shrink2 + i);
-        const V slope = hn::Add(hn::Mul(a, x), hn::Mul(b, y));
-        const V ahead = hn::Mul(slope, shrink);
-        const V half2 = hn::Add(hn::Sub(hn::Set(d, 1.0F), hn::Add(hn::Mul(x, x), hn::Mul(y, y))),
-                                hn::Mul(slope, ahead));
-        const V half = hn::Sqrt(hn::Mul(hn::Max(half2, hn::Zero(d)), shrink));
+        const BallPass<V> pass(x, y, hn::Set(d, 1.0F), a, b, shrink);
+        const V half = pass.half(shrink);
         const V start = hn::Sub(hn::Mul(hn::LoadU(d, bundle.start + i), near), far);
-        const V key = hn::Max(hn::Sub(ahead, half), start);
+        const V key = hn::Max(hn::Sub(pass.ahead, half), start);
         const auto turned = [&](int axis) HWY_ATTR {
             return hn::Add(hn::Mul(x, hn::Set(d, aspect.turn[0][axis])),
                            hn::Mul(y, hn::Set(d, aspect.turn[1][axis])));
@@ -66,7 +63,7 @@ inline std::uint64_t meet_ball(const RayBundle& bundle, const AspectRays& aspect
         hn::StoreU(hn::Sub(turned(1), hn::Mul(hn::LoadU(d, aspect.b + i), behind)), d, rays.y + i);
         hn::StoreU(behind, d, rays.behind + i);
         hn::StoreU(key, d, rays.key + i);
-        auto here = hn::And(hn::Le(hn::Zero(d), half2), hn::Le(start, hn::Add(ahead, half)));
+        auto here = hn::Le(start, hn::Add(pass.ahead, half));  // not NaN
         here = in_shadow(d, shadow, x, y, hn::Set(d, 1.0F), margin, here);
         met |= lane_bits(d, here) << i;
     }
@@ -152,15 +149,12 @@ HWY_INLINE std::int32_t nearest_cell(BallRay& ray, float x, float y, const Liste
             const V z = hn::LoadU(d, cells.z + i), r = hn::LoadU(d, cells.radius + i);
             const V u = hn::Add(hn::Set(d, x), hn::Sub(hn::LoadU(d, cells.x + i), hn::Mul(a, z)));
             const V v = hn::Add(hn::Set(d, y), hn::Sub(hn::LoadU(d, cells.y + i), hn::Mul(b, z)));
-            const V slope = hn::Add(hn::Mul(a, u), hn::Mul(b, v));
-            const V ahead = hn::Mul(slope, shrink);
-            const V half2 = hn::Add(hn::Sub(hn::Mul(r, r), hn::Add(hn::Mul(u, u), hn::Mul(v, v))),
-                                    hn::Mul(slope, ahead));
-            const V half = hn::Sqrt(hn::Mul(hn::Max(half2, hn::Zero(d)), shrink));
-            const V middle = hn::Add(z, ahead);
+            const BallPass<V> pass(u, v, r, a, b, shrink);
+            const V half = pass.half(shrink);
+            const V middle = hn::Add(z, pass.ahead);
             const V key = hn::Max(hn::Sub(middle, half), start);
-            auto met = hn::And(hn::Le(hn::Zero(d), half2), hn::Lt(key, nearest));
-            met = hn::And(met, hn::Le(start, hn::Add(middle, half)));
+            auto met = hn::Le(start, hn::Add(middle, half));  // not NaN
+            met = hn::And(met, hn::Lt(key, nearest));
             met = hn::And(met, hn::FirstN(d, static_cast<std::size_t>(end - i)));
             nearest = hn::IfThenElse(met, key, nearest);
             places = hn::IfThenElse(hn::RebindMask(di, met), hn::Iota(di, i), places);
