@@ -10,14 +10,16 @@ namespace pxm::host::wide {
 
 namespace {
 
-constexpr int most_orientations = 8;  // of objects with lists: every one has lists of its own
+constexpr std::size_t most_orientations =
+    8;                              // of objects with lists: every one has lists of its own
+constexpr double least_pace = 0.7;  // of a part's rays along its axis: few pixels, seen wide
 
 }  // namespace
 
-void Aspect::make(AspectTable& table, const WideObject& object, const HomothetyTable& cells) const {
+void Aspect::make(AspectTable& table, const glm::dmat3& turn, const HomothetyTable& cells) const {
     glm::dmat3 to_frame;
     for (int axis = 0; axis < 3; ++axis) {
-        const glm::dvec3 unit = glm::normalize(object.to_unit.direction(view.axis[axis]));
+        const glm::dvec3 unit = glm::normalize(turn * view.axis[axis]);
         for (int i = 0; i < 3; ++i) to_frame[i][axis] = unit[i];
     }
     table.make(cells, to_frame, view);
@@ -56,10 +58,9 @@ AspectView view_of_part(const WideScene& scene, long left, long top) {
     look_along(view, glm::normalize(middle));
     for (const long row : {top, bottom}) {
         for (const long column : {left, right}) {
-            const glm::dvec3 d = ray(column, row);
-            const double pace = glm::dot(d, view.axis[2]);
-            const double reach = std::sqrt(std::max(0.0, 1 / (pace * pace) - 1));
-            view.reach = std::max(view.reach, reach);
+            const double pace = glm::dot(ray(column, row), view.axis[2]);
+            view.shared = view.shared && least_pace <= pace;
+            view.reach = std::max(view.reach, std::sqrt(std::max(0.0, 1 / (pace * pace) - 1)));
         }
     }
     return view;
@@ -82,52 +83,59 @@ long aspect_side(const CompiledCamera& camera, const PixelSize& size) {
 
 namespace {
 
-/// The number of an aspect among those that are kept.
-std::size_t place_of(const AspectOf& of) {
-    switch (of.kind) {
-        case AspectOf::Kind::bundle:
-            return 0;
-        case AspectOf::Kind::eye:
-            return 1;
-        case AspectOf::Kind::light:
-            break;
-    }
-    return 2 + static_cast<std::size_t>(of.column);
+void begin(Aspect& aspect, const AspectView& view) {
+    aspect.view = view;
+    ++aspect.number;
 }
 
-void begin(const WideScene& scene, Aspect& aspect, const AspectView& view) {
-    aspect.view = view;
-    aspect.view.shared = view.shared && scene.orientations <= most_orientations;
-    ++aspect.number;
+Aspect& own_aspect(const RayBundle& bundle, Aspect& aspect) {
+    begin(aspect, {{bundle.axis[0], bundle.axis[1], bundle.axis[2]}, 0, false});
+    return aspect;
+}
+
+/// That of the part of the picture in which a tile's first pixel is.
+Aspect& aspect_of_part(const WideScene& scene, const AspectOf& of, Aspect& aspect) {
+    const long side = scene.aspect_side, column = of.column / side, row = of.row / side;
+    if (aspect.number > 0 && aspect.column == column && aspect.row == row) return aspect;
+    aspect.column = column;
+    aspect.row = row;
+    begin(aspect, view_of_part(scene, column * side, row * side));
+    return aspect;
+}
+
+Aspect& aspect_of_light(const WideScene& scene, std::size_t light, Aspect& aspect) {
+    constexpr double parallel = 1e-6;  // what rounding makes of it
+    if (aspect.number > 0) return aspect;
+    AspectView view;
+    view.reach = parallel;
+    view.shared = true;
+    look_along(view, scene.lights[light].place);
+    begin(aspect, view);
+    return aspect;
 }
 
 }  // namespace
 
 Aspect& aspect_of(const WideScene& scene, const RayBundle& bundle, std::vector<Aspect>& aspects) {
-    constexpr double parallel = 1e-6;  // what rounding makes of it
     const AspectOf& of = bundle.aspect;
-    if (aspects.empty()) aspects = std::vector<Aspect>(2 + scene.lights.size());
-    Aspect& aspect = aspects[place_of(of)];
-    if (aspect.tables.empty()) {
-        aspect.tables = std::vector<AspectTable>(static_cast<std::size_t>(scene.orientations) *
-                                                 scene.sets.size() * HomothetyTable::most_steps);
+    if (aspects.empty()) {
+        aspects = std::vector<Aspect>(2 + scene.lights.size());
+        for (Aspect& aspect : aspects) {
+            aspect.tables.resize(scene.turns.size() * scene.sets.size() *
+                                 HomothetyTable::most_steps);
+        }
     }
-    if (of.kind == AspectOf::Kind::bundle) {
-        begin(scene, aspect, {{bundle.axis[0], bundle.axis[1], bundle.axis[2]}, 0, false});
-    } else if (of.kind == AspectOf::Kind::eye) {
-        const long side = scene.aspect_side, column = of.column / side, row = of.row / side;
-        if (aspect.number > 0 && aspect.column == column && aspect.row == row) return aspect;
-        aspect.column = column;
-        aspect.row = row;
-        begin(scene, aspect, view_of_part(scene, column * side, row * side));
-    } else if (aspect.number == 0) {
-        AspectView view;
-        view.reach = parallel;
-        view.shared = true;
-        look_along(view, scene.lights[static_cast<std::size_t>(of.column)].place);
-        begin(scene, aspect, view);
+    if (scene.turns.size() <= most_orientations) {
+        if (of.kind == AspectOf::Kind::light) {
+            const auto light = static_cast<std::size_t>(of.column);
+            return aspect_of_light(scene, light, aspects[2 + light]);
+        }
+        if (of.kind == AspectOf::Kind::eye) {
+            Aspect& part = aspect_of_part(scene, of, aspects[1]);
+            if (part.view.shared) return part;
+        }
     }
-    return aspect;
+    return own_aspect(bundle, aspects[0]);
 }
 
 }  // namespace pxm::host::wide

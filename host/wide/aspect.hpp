@@ -7,6 +7,8 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <memory>
 #include <vector>
 
 #include "host/wide/aspect_table.hpp"
@@ -19,27 +21,29 @@ struct Aspect {
     AspectView view;
     std::uint64_t number = 0;    // another one for every view
     long column = -1, row = -1;  // of the picture's part
-    std::vector<AspectTable> tables;
+    std::vector<std::unique_ptr<AspectTable>> tables;
 
     [[nodiscard]] const AspectTable& table(const WideScene& scene, int object, int set,
                                            const HomothetyTable& cells) {
-        const WideObject& seen = scene.objects[static_cast<std::size_t>(object)];
-        const std::size_t turned = static_cast<std::size_t>(seen.orientation) * scene.sets.size() +
-                                   static_cast<std::size_t>(set);
-        AspectTable& table =
+        const auto turn =
+            static_cast<std::size_t>(scene.objects[static_cast<std::size_t>(object)].orientation);
+        const std::size_t turned = turn * scene.sets.size() + static_cast<std::size_t>(set);
+        std::unique_ptr<AspectTable>& table =
             tables[turned * HomothetyTable::most_steps + static_cast<std::size_t>(cells.steps) - 1];
-        if (table.made_for != number) make(table, seen, cells);
-        return table;
+        if (!table) table = std::make_unique<AspectTable>();
+        if (table->made_for != number) make(*table, scene.turns[turn], cells);
+        return *table;
     }
 
   private:
-    void make(AspectTable& table, const WideObject& object, const HomothetyTable& cells) const;
+    void make(AspectTable& table, const glm::dmat3& turn, const HomothetyTable& cells) const;
 };
 
 struct AspectOf;
 struct RayBundle;
 
-/// The aspect of a bundle, of those kept in `aspects`.
+/// The aspect of a bundle, of those kept in `aspects`: its own, where rays of a part of the picture
+/// go too far aside, or objects are turned in too many ways.
 [[nodiscard]] Aspect& aspect_of(const WideScene& scene, const RayBundle& bundle,
                                 std::vector<Aspect>& aspects);
 

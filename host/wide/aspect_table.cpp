@@ -1,6 +1,7 @@
 #include "host/wide/aspect_table.hpp"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -35,14 +36,14 @@ std::vector<std::uint32_t> front_to_back(const float* z, const float* radius, in
 }  // namespace
 
 ListedCells whole_table(const HomothetyTable& table, const LaneTable<float>& centers) {
+    assert(table.count <= static_cast<int>(most_maps));
     return {centers.row(0),
             centers.row(1),
             centers.row(2),
             table.rows.row(HomothetyTable::scale),
             table.rows.row(HomothetyTable::diameter),
             all_lanes.data(),
-            table.count,
-            false};
+            table.count};
 }
 
 void AspectTable::make(const HomothetyTable& table, const glm::dmat3& to_frame,

@@ -20,7 +20,6 @@ struct ListedCells {
     const float* diameter;     // times the maps' Lipschitz constant
     const std::int32_t* lane;  // in the homothety table
     int count;
-    bool sorted;  // by z - radius
 };
 
 /// All cells of a table of at most most_maps, with their centres as given.
@@ -53,8 +52,7 @@ class AspectTable {
                 first + 3 * room_,
                 first + 4 * room_,
                 lane_.data() + begin,
-                static_cast<int>(begin_[square + 1] - begin),
-                true};
+                static_cast<int>(begin_[square + 1] - begin)};
     }
     std::uint64_t made_for = 0;  // the aspect's number
 

@@ -162,7 +162,7 @@ struct MetCells {
     alignas(64) float key[room];
     int count;               // cells that were tested
     std::uint64_t waiting;   // those that were met and not looked into, a bit each
-    std::uint64_t terminal;  // of those
+    std::uint64_t terminal;  // these are terminal if they are met
 };
 
 /// What a ray has met of the children in a block, those from `first` on.
@@ -234,7 +234,7 @@ struct Workspace {
     std::vector<MetChildren> met;                      // of blocks, one below the other
     std::array<OpenedCell, Found::most_below> opened;  // one below the other
     std::vector<LaneTable<double>> turned;             // children's centres in the bundle's frame
-    std::vector<std::uint64_t> turned_for;             // (bundle, object) they are right for
+    std::vector<std::uint64_t> turned_for;             // (bundle, turn) they are right for
     std::uint64_t bundle_number = 0;
     std::vector<Aspect> aspects;  // of the bundle itself, of a part of the picture, of each light
     AspectRays aspect_rays;

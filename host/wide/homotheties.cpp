@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "host/fractal/lipschitz.hpp"
 #include "host/wide/bundle_search.hpp"
@@ -147,8 +148,9 @@ void tabulate(WideScene& scene, int index) {
     WideSet& set = scene.sets[static_cast<std::size_t>(index)];
     const std::size_t most = set.spheres ? most_balls : std::size_t{table_step};
     set.children = table_of(cells, 1, 0);
+    double least = std::numeric_limits<double>::infinity();  // diameter of those stepped over
     for (int steps = 2; steps <= HomothetyTable::most_steps && !cells.empty(); ++steps) {
-        const double least = std::ranges::min(cells, {}, &Step::diameter).diameter;
+        least = std::min(least, std::ranges::min(cells, {}, &Step::diameter).diameter);
         cells = one_step_on(scene, cells, steps - 1, most);
         double across = 0;  // of all cells, to their parent's
         for (const Step& cell : cells) across += cell.scale * cell.scale;
@@ -172,25 +174,41 @@ std::vector<glm::dvec3> hull_points(const WideScene& scene, const WideObject& ob
     return points;
 }
 
-/// Numbers the ways in which objects are turned.
-void find_orientations(WideScene& scene) {
+/// Numbers the ways in which objects with balls are turned.
+void find_turns(WideScene& scene) {
     constexpr double alike = 1e-9;
-    std::vector<glm::dmat3> known;
     for (WideObject& object : scene.objects) {
-        if (!object.fixed_direction) continue;
+        const bool alone = scene.sets[static_cast<std::size_t>(object.set)].count == 0;
+        if (!object.fixed_direction || !object.spheres || alone) continue;
         glm::dmat3 turn;
         for (int axis = 0; axis < 3; ++axis) {
             turn[axis] = glm::normalize(object.to_unit.direction(glm::dmat3{1}[axis]));
         }
-        const auto same = std::ranges::find_if(known, [&](const glm::dmat3& other) {
+        const auto same = std::ranges::find_if(scene.turns, [&](const glm::dmat3& other) {
             return glm::length(turn[0] - other[0]) < alike &&
                    glm::length(turn[1] - other[1]) < alike &&
                    glm::length(turn[2] - other[2]) < alike;
         });
-        object.orientation = static_cast<int>(same - known.begin());
-        if (same == known.end()) known.push_back(turn);
+        object.orientation = static_cast<int>(same - scene.turns.begin());
+        if (same == scene.turns.end()) scene.turns.push_back(turn);
     }
-    scene.orientations = static_cast<int>(known.size());
+    if (scene.turns.empty()) scene.turns.emplace_back(1.0);  // of objects without maps
+}
+
+/// Whether a cell may have more children than a ray keeps of one (OpenedCell).
+bool has_many_children(const WideScene& scene, int first) {
+    std::vector<bool> seen(scene.sets.size(), false);
+    std::vector<int> waiting{first};
+    while (!waiting.empty()) {
+        const auto at = static_cast<std::size_t>(waiting.back());
+        waiting.pop_back();
+        if (seen[at]) continue;
+        seen[at] = true;
+        const WideSet& set = scene.sets[at];
+        if (set.count > OpenedCell::room) return true;
+        waiting.insert(waiting.end(), set.sets.begin(), set.sets.end());
+    }
+    return false;
 }
 
 /// Gives the sets of an object of boxes their grids. False if a set has none.
@@ -214,8 +232,7 @@ bool has_fixed_direction(const CompiledScene& scene, const CompiledObject& objec
         return false;
     }
     return std::ranges::all_of(shape.sets, [&](const CompiledSet& set) {
-        return set.maps.size() <= static_cast<std::size_t>(OpenedCell::room) &&
-               same_shape(set.volume, shape.sets[0].volume) &&
+        return same_shape(set.volume, shape.sets[0].volume) &&
                std::ranges::all_of(set.maps, [&](int symbol) {
                    const CompiledMap& map = shape.maps[static_cast<std::size_t>(symbol)];
                    const auto inner = static_cast<std::size_t>(map.follow_set);
@@ -245,8 +262,9 @@ void tabulate_homotheties(WideScene& scene) {
         object.hull = hull_points(scene, object);
         std::vector<bool> seen(scene.sets.size(), false);
         object.grid = !object.spheres && find_grids(scene, object.set, seen);
+        if (!object.grid && has_many_children(scene, object.set)) object.fixed_direction = false;
     }
-    find_orientations(scene);
+    find_turns(scene);
 }
 
 }  // namespace pxm::host::wide

@@ -11,7 +11,8 @@ namespace pxm::host::wide {
 /// squashed (balls stay balls).
 [[nodiscard]] bool has_fixed_direction(const CompiledScene& scene, const CompiledObject& object);
 
-/// Fills in the homothety tables of the sets of such objects.
+/// Fills in the homothety tables of the sets of such objects. One whose cells have more children
+/// than OpenedCell has room for, and which is no grid, loses its fixed direction.
 void tabulate_homotheties(WideScene& scene);
 
 }  // namespace pxm::host::wide

@@ -23,7 +23,7 @@ inline constexpr int bundle_rays = tile_side * tile_side;
 struct AspectOf {
     enum class Kind { bundle, eye, light };
     Kind kind = Kind::bundle;
-    long column = 0;  // of the picture's part, or the light's number
+    long column = 0;  // of a tile's first pixel, or the light's number
     long row = 0;
 };
 

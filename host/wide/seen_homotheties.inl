@@ -108,19 +108,17 @@ struct BallLevels {
     template <class D, class V = hn::VFromD<D>>
     static HWY_INLINE LevelHits<V> meet(D d, const Cell<V>& cell, const Rays<V>& ray,
                                         PathSide side) {
-        (void)d;
         const auto& [u0, u1, v0, v1] = ray.beside;
-        const V x = hn::Sub(cell.x, hn::Add(u0, hn::Mul(u1, cell.z)));
-        const V y = hn::Sub(cell.y, hn::Add(v0, hn::Mul(v1, cell.z)));
-        const BallPass<V> pass(x, y, cell.radius, u1, v1, ray.shrink2);
+        const V one = hn::Set(d, hn::TFromD<D>(1));
+        const V x = hn::Mul(hn::Sub(cell.x, hn::Add(u0, hn::Mul(u1, cell.z))), cell.inverse);
+        const V y = hn::Mul(hn::Sub(cell.y, hn::Add(v0, hn::Mul(v1, cell.z))), cell.inverse);
+        const BallPass<V> pass(x, y, one, u1, v1, ray.shrink2);
         const V half = pass.half(ray.shrink2);
         const V key = hn::Sub(pass.ahead, half), exit = hn::Add(pass.ahead, half);
-        const V from = side == PathSide::entry ? key : exit;
-        const auto normal = [&](V place) HWY_ATTR { return hn::Mul(place, cell.inverse); };
-        return {hn::Add(cell.from_start, key),
-                hn::Add(cell.from_start, exit),
-                {normal(hn::Sub(hn::Mul(u1, from), x)), normal(hn::Sub(hn::Mul(v1, from), y)),
-                 normal(from)}};
+        const V at = side == PathSide::entry ? key : exit;
+        return {hn::Add(cell.from_start, hn::Mul(key, cell.radius)),
+                hn::Add(cell.from_start, hn::Mul(exit, cell.radius)),
+                {hn::Sub(hn::Mul(u1, at), x), hn::Sub(hn::Mul(v1, at), y), at}};
     }
 };
 

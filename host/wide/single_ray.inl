@@ -183,9 +183,6 @@ HWY_INLINE int nearest_waiting(const MetCells& cells, float best) {
     return -1;
 }
 
-/// Nothing is nearer: a ray that is asked for any hit has one.
-inline constexpr float nowhere = -std::numeric_limits<float>::infinity();
-
 /// Follows a ray from the start cell (already met, not terminal) to the nearest terminal cell that
 /// is nearer than `ray.best`. True, and `found` changed, if there is one.
 inline bool follow_ray(const WideScene& scene, Workspace& work, RayInStart& ray, float key,

@@ -90,7 +90,7 @@ inline void visit_start_cell(const WideScene& scene, Workspace& work, int index)
         const double p = pixel0 + growth * key;
         const bool last = cell.level == object.levels;
         if (last || cell.diameter <= scene.detail * std::max(p, object.smallest_pixel)) {
-            work.found[at].block = -1;
+            work.found[at].block = work.found[at].below_count = -1;
             note_found(work, i, index, key);
             continue;
         }
@@ -108,6 +108,7 @@ inline void visit_start_cell(const WideScene& scene, Workspace& work, int index)
         if (root < 0) root = make_block(scene, work, opening, object.levels);
         Found& found = work.found[at];
         if (follow_ray(scene, work, ray, rays.key[i], rays.exit[i], root, object.levels, found)) {
+            found.below_count = -1;
             const double depth = cell.base + static_cast<double>(ray.found);
             note_found(work, i, index, depth);
         }

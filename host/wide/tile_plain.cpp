@@ -34,6 +34,7 @@ void TileTracer::render_plainly() {
             std::ranges::copy(wide_.background, pixel.color);
         } else {
             lanes_[static_cast<std::size_t>(i)].pixel = i;
+            lanes_[static_cast<std::size_t>(i)].share = 1;
             sums_[static_cast<std::size_t>(i)] = {};
             see_cell_in(Kind::first_sample, i);
         }
@@ -46,8 +47,9 @@ void TileTracer::render_plainly() {
         pixel.alpha = 1;
         pixel.volumes += sum.tested;
         tested += sum.tested;
+        if ((unclear_ >> lit_[k].lane & 1) != 0) continue;  // gather_pixel() counts them
         rays_.light_rays += sum.light_rays;
-        rays_.hits += (unclear_ >> lit_[k].lane & 1) == 0 ? 1 : 0;
+        ++rays_.hits;
     }
     const auto pixels = static_cast<std::uint64_t>(std::popcount(inside & ~unclear_));
     rays_.pixels += pixels;

@@ -70,7 +70,8 @@ inline std::uint64_t meet_ball(const RayBundle& bundle, const AspectRays& aspect
     return met & bundle.inside;
 }
 
-/// Where lists leave out what a ray cannot meet.
+/// In shared aspects, where lists leave out what a ray cannot meet and the frame is not the
+/// bundle's.
 inline constexpr HullShadow no_shadow{};
 
 /// The rays of the bundle in the frame of their aspect.

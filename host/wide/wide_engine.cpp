@@ -25,9 +25,13 @@ struct TileBlock {
 
 /// Blocks of the crop window, those of a part of the picture (host/wide/aspect.hpp) one after
 /// another, so that a thread makes few aspects.
-std::vector<TileBlock> blocks_of_tiles(const CropWindow& crop, long part) {
-    constexpr long most_side = 8 * tile_side;
-    const long side = std::min(part, most_side);
+std::vector<TileBlock> blocks_of_tiles(const CropWindow& crop, long part, long threads) {
+    constexpr long most_side = 8 * tile_side, least_side = 2 * tile_side;
+    constexpr long blocks_a_thread = 16;
+    const long pixels = (crop.x1 - crop.x0) * (crop.y1 - crop.y0);
+    long side = std::min(part, most_side);
+    while (side / 2 >= least_side && pixels < blocks_a_thread * threads * side * side) side /= 2;
+    side = side / tile_side * tile_side;
     const auto first_tile = [](long pixel) { return pixel / tile_side * tile_side; };
     std::vector<TileBlock> blocks;
     for (long part_y = crop.y0 / part * part; part_y < crop.y1; part_y += part) {
@@ -61,7 +65,8 @@ EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
     result.load_seconds = seconds_since(start);
 
     const auto render_start = std::chrono::steady_clock::now();
-    const std::vector<TileBlock> blocks = blocks_of_tiles(scene.crop, wide.aspect_side);
+    const std::vector<TileBlock> blocks =
+        blocks_of_tiles(scene.crop, wide.aspect_side, choice.threads);
     std::atomic<long> done = 0;
     std::atomic<bool> stopped = false;
     std::exception_ptr failure;

@@ -11,6 +11,7 @@
 #include "host/render/gather.hpp"
 #include "host/render/scene_block.hpp"
 #include "host/wide/aspect.hpp"
+#include "host/wide/bundle_search.hpp"
 #include "host/wide/homotheties.hpp"
 
 namespace pxm::host::wide {
@@ -162,9 +163,13 @@ std::string why_not(const CompiledScene& scene, const CompiledObject& object) {
 
 ObjectMethod wide_method(const CompiledScene& scene, const CompiledObject& object,
                          const WideObject& wide, const std::vector<WideSet>& sets) {
+    const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
     if (scene.area) return {object.name, "wide, beams", "local covers by area"};
     if (!wide.fixed_direction) {
-        return {object.name, "wide, composed maps", "maps that are no homotheties"};
+        const bool many = shape.maps.size() > static_cast<std::size_t>(MetCells::room);
+        return {object.name, "wide, composed maps",
+                has_fixed_direction(scene, object) && many ? "very many maps"
+                                                           : "maps that are no homotheties"};
     }
     if (wide.grid) return {object.name, "wide, grid walk", "homotheties to boxes in slices"};
     const std::vector<HomothetyTable>& composed = sets[static_cast<std::size_t>(wide.set)].composed;

@@ -125,7 +125,7 @@ struct WideObject {
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
     bool fixed_direction = false;
     bool grid = false;    // and all its sets have their children in slices
-    int orientation = 0;  // the same for such objects that are turned alike
+    int orientation = 0;  // of such an object with balls, in WideScene::turns
     /// Corners of the attractor's hull in unit coordinates, if it serves as a cull
     /// (host/wide/hull_shadow.inl).
     static constexpr std::size_t most_hull_points = 32;
@@ -138,7 +138,9 @@ struct WideObject {
 struct WideScene {
     std::vector<WideSet> sets;        // of all shapes
     std::vector<WideObject> objects;  // those that the wide engine can do
-    int orientations = 0;             // of those with a fixed direction
+    /// How objects of homotheties with balls are turned: from scene to unit coordinates, lengths
+    /// left.
+    std::vector<glm::dmat3> turns;
     std::vector<CompiledEnclosure> enclosures;
     CompiledCamera camera;
     PixelSize size;        // of the whole picture

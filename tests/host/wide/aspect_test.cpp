@@ -9,10 +9,12 @@
 #include <random>
 #include <set>
 
+#include "host/render/engine.hpp"
 #include "host/wide/ray_bundle.hpp"
 #include "host/wide/wide_engine.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/example_scenes.hpp"
+#include "tests/support/referee.hpp"
 
 namespace pxm::test {
 namespace {
@@ -66,6 +68,26 @@ double distance(const glm::dvec2& p, const glm::dvec2& slope, const glm::dvec3& 
 
 WideScene balls_of(const std::string& system) {
     return make_wide_scene(compile_text(scene_of(system, "volume: sphere")));
+}
+
+/// Of the pixels that the clear kernels and the wide engine hit.
+double share_of_same_colors(const CompiledScene& scene) {
+    EngineChoice clear;
+    clear.numeric = Numeric::twice;
+    clear.intersect = IntersectMethod::heap;
+    const Frame expected = run_natively(scene, clear, {}).frame;
+    const Frame found = run_wide(scene, {}, {}).frame;
+    double hits = 0, same = 0;
+    for (std::size_t i = 0; i < found.pixels.size(); ++i) {
+        const PixelRecord &a = expected.pixels[i], &b = found.pixels[i];
+        if (a.object < 0 || b.object < 0) continue;
+        ++hits;
+        bool close = true;
+        for (int k = 0; k < 3; ++k)
+            close = close && std::abs(a.color[k] - b.color[k]) <= 1.0F / 255;
+        if (close) ++same;
+    }
+    return same / hits;
 }
 
 TEST(AspectTable, lists_every_cell_that_a_ray_meets) {
@@ -155,6 +177,53 @@ TEST(Aspect, of_a_part_of_the_picture_holds_all_its_rays) {
         EXPECT_EQ(views.size() > 1,
                   std::string(view) == "fov: 40" || std::string(view) == "fov: 140");
     }
+}
+
+/// Few pixels that see far around: no part of such a picture has an axis that all its rays follow.
+TEST(Aspect, of_a_very_wide_view_is_each_bundles_own) {
+    const std::string camera = "camera { eye: 0.2,0.9,-0.3 look: 0.1,0.5,0.4 fov: 150 }";
+    const CompiledScene scene =
+        compile_text(scene_of("tetra", "volume: sphere", "size: 40,40") + camera);
+    std::vector<Aspect> aspects;
+    RayBundle bundle;
+    aim_at_tile(bundle, scene.camera, scene.crop, 0, 0, {0.5, 0.5});
+    EXPECT_FALSE(aspect_of(make_wide_scene(scene), bundle, aspects).view.shared);
+    const Verdict verdict = judge(scene, run_wide(scene, {}, {}).frame, Numeric::twice);
+    EXPECT_EQ(verdict.admissible, verdict.pixels) << verdict.report;
+    EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
+}
+
+/// Each object has lists of its own, until they are too many.
+TEST(WideObjects, that_are_turned_in_many_ways_are_seen) {
+    for (const int count : {3, 11}) {
+        std::string text = ifs("tetra");
+        for (int i = 0; i < count; ++i) {
+            text += fmt::format(
+                "object it{} {{ ifs: tetra rotate: x,{} rotate: y,{} rotate: z,{} translate: {},{},{} }}\n", i, 31 * i,
+                17 * i + 5, 7 * i, 2 * (i % 4) - 3, 2 * (i / 4) - 2, 0.3 * i);
+        }
+        text +=
+            "image { size: 64,48 }\nrender { volume: sphere }\n"
+            "camera { eye: 0.4,0.6,-9 look: 0,0,0 fov: 45 }\n"
+            "light { direction: 1,2,-1 color: 1,1,1 shadow: on }\n";
+        const CompiledScene scene = compile_text(text);
+        const Verdict verdict = judge(scene, run_wide(scene, {}, {}).frame, Numeric::twice);
+        EXPECT_GE(verdict.admissible_share(), 0.999) << count << verdict.report;
+        EXPECT_GE(share_of_same_colors(scene), 0.98) << count;
+    }
+}
+
+/// A ray may find a cell of the one first and then a nearer one of the other.
+TEST(WideObjects, of_homotheties_and_of_other_maps_may_overlap) {
+    const std::string text = ifs("tetra") + ifs("elm") + ifs("menger") +
+                             "object a { ifs: tetra }\nobject b { ifs: elm }\n"
+                             "object c { ifs: menger scale: 0.5 translate: 0.3,0.4,0.2 }\n"
+                             "image { size: 80,60 }\nrender { volume: sphere }\n"
+                             "camera { eye: 0.4,1.6,-4 look: 0,0.7,0 fov: 40 }\n";
+    const CompiledScene scene = compile_text(text);
+    const Verdict verdict = judge(scene, run_wide(scene, {}, {}).frame, Numeric::twice);
+    EXPECT_GE(verdict.admissible_share(), 0.999) << verdict.report;
+    EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
 }
 
 /// Parts are those of the whole picture, whatever the window.
