@@ -199,8 +199,9 @@ TEST(WideObjects, that_are_turned_in_many_ways_are_seen) {
         std::string text = ifs("tetra");
         for (int i = 0; i < count; ++i) {
             text += fmt::format(
-                "object it{} {{ ifs: tetra rotate: x,{} rotate: y,{} rotate: z,{} translate: {},{},{} }}\n", i, 31 * i,
-                17 * i + 5, 7 * i, 2 * (i % 4) - 3, 2 * (i / 4) - 2, 0.3 * i);
+                "object it{} {{ ifs: tetra rotate: x,{} rotate: y,{} rotate: z,{} translate: "
+                "{},{},{} }}\n",
+                i, 31 * i, 17 * i + 5, 7 * i, 2 * (i % 4) - 3, 2 * (i / 4) - 2, 0.3 * i);
         }
         text +=
             "image { size: 64,48 }\nrender { volume: sphere }\n"
