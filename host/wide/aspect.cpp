@@ -10,8 +10,8 @@ namespace pxm::host::wide {
 
 namespace {
 
-constexpr std::size_t most_orientations =
-    8;                              // of objects with lists: every one has lists of its own
+// Of objects with lists: those that are turned otherwise have lists of their own.
+constexpr std::size_t most_turns = 8;
 constexpr double least_pace = 0.7;  // of a part's rays along its axis: few pixels, seen wide
 
 }  // namespace
@@ -125,7 +125,7 @@ Aspect& aspect_of(const WideScene& scene, const RayBundle& bundle, std::vector<A
                                  HomothetyTable::most_steps);
         }
     }
-    if (scene.turns.size() <= most_orientations) {
+    if (scene.turns.size() <= most_turns) {
         if (of.kind == AspectOf::Kind::light) {
             const auto light = static_cast<std::size_t>(of.column);
             return aspect_of_light(scene, light, aspects[2 + light]);

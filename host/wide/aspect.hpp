@@ -26,7 +26,7 @@ struct Aspect {
     [[nodiscard]] const AspectTable& table(const WideScene& scene, int object, int set,
                                            const HomothetyTable& cells) {
         const auto turn =
-            static_cast<std::size_t>(scene.objects[static_cast<std::size_t>(object)].orientation);
+            static_cast<std::size_t>(scene.objects[static_cast<std::size_t>(object)].turn);
         const std::size_t turned = turn * scene.sets.size() + static_cast<std::size_t>(set);
         std::unique_ptr<AspectTable>& table =
             tables[turned * HomothetyTable::most_steps + static_cast<std::size_t>(cells.steps) - 1];

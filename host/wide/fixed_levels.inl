@@ -30,7 +30,7 @@ inline const LaneTable<double>& turn_children(const WideScene& scene, Workspace&
     LaneTable<double>& turned = work.turned[at];
     const auto& first = scene.objects[static_cast<std::size_t>(object)];
     const std::uint64_t stamp =
-        work.bundle_number * scene.turns.size() + static_cast<std::uint64_t>(first.orientation);
+        work.bundle_number * scene.turns.size() + static_cast<std::uint64_t>(first.turn);
     if (work.turned_for[at] == stamp) return turned;
     work.turned_for[at] = stamp;
     const HomothetyTable& table = scene.sets[at].children;

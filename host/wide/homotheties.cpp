@@ -189,7 +189,7 @@ void find_turns(WideScene& scene) {
                    glm::length(turn[1] - other[1]) < alike &&
                    glm::length(turn[2] - other[2]) < alike;
         });
-        object.orientation = static_cast<int>(same - scene.turns.begin());
+        object.turn = static_cast<int>(same - scene.turns.begin());
         if (same == scene.turns.end()) scene.turns.push_back(turn);
     }
     if (scene.turns.empty()) scene.turns.emplace_back(1.0);  // of objects without maps

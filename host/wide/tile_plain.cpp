@@ -1,4 +1,4 @@
-// Tiles of scenes with one ray a pixel, cells and lights alone.
+// Tiles of scenes with one ray a pixel, cells and lights alone: nothing is to be added up.
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 
 namespace pxm::host::wide {
 
-/// One ray a pixel, cells and lights alone: nothing is to be added up.
 void TileTracer::render_plainly() {
     place_ = scene_.samples[0];
     aim_at_tile(work_.bundle, scene_.camera, scene_.crop, left_, top_, place_);

@@ -124,8 +124,8 @@ struct WideObject {
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
     bool fixed_direction = false;
-    bool grid = false;    // and all its sets have their children in slices
-    int orientation = 0;  // of such an object with balls, in WideScene::turns
+    bool grid = false;  // and all its sets have their children in slices
+    int turn = 0;       // of such an object with balls, in WideScene::turns
     /// Corners of the attractor's hull in unit coordinates, if it serves as a cull
     /// (host/wide/hull_shadow.inl).
     static constexpr std::size_t most_hull_points = 32;

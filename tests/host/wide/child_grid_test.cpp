@@ -39,6 +39,26 @@ TEST(ChildGrid, is_found_where_boxes_are_in_slices) {
     EXPECT_EQ(method_of(thirds(1.0 / 3, cross)), "wide, grid walk");
 }
 
+/// A ray keeps at most 64 cells that it has met; one that walks keeps none.
+TEST(ChildGrid, may_have_more_children_than_a_ray_keeps) {
+    std::string text = "ifs it {\n";
+    for (int place = 0; place < 125; ++place) {
+        const int x = place % 5 - 2, y = place / 5 % 5 - 2, z = place / 25 - 2;
+        if ((x == 0) + (y == 0) + (z == 0) >= 2) continue;
+        text += fmt::format("newmap scale: 0.2 translate: {},{},{}\n", x, y, z);
+    }
+    text += "}\nobject it { ifs: it }\nimage { size: 24,18 }\n";
+    const CompiledScene boxes = compile_text(text + "render { volume: box }\n");
+    EXPECT_EQ(wide::object_methods(boxes).front().method, "wide, grid walk");
+    const CompiledScene balls = compile_text(text + "render { volume: sphere }\n");
+    EXPECT_EQ(wide::object_methods(balls).front().because, "very many maps");
+    for (const CompiledScene* scene : {&boxes, &balls}) {
+        const Verdict verdict = judge(*scene, wide::run_wide(*scene, {}, {}).frame, Numeric::twice);
+        EXPECT_GE(verdict.admissible_share(), 0.999) << verdict.report;
+        EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
+    }
+}
+
 TEST(ChildGrid, is_not_where_slices_overlap_or_cells_are_balls) {
     EXPECT_NE(method_of(thirds(0.36, sponge)), "wide, grid walk");
     EXPECT_NE(method_of(scene_of("menger", "volume: sphere")), "wide, grid walk");
