@@ -16,6 +16,7 @@
 #include "host/wide/wide_scene.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/example_scenes.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/render_text.hpp"
 
 namespace pxm::test {
@@ -206,7 +207,7 @@ TEST(BeamRecords, are_those_of_the_clear_kernels) {
 /// its key.
 TEST(BeamOrder, of_large_cells_is_that_of_their_nearest_points) {
     const CompiledScene scene =
-        compile_roomy("include: \"" PXM_SOURCE_DIR
+        compile_roomy("include: \"" + test::source_dir +
                       "/scenes/menger.pxm\" render { covers: area } "
                       "image { size: 640,480 crop: 400,280,440,304 } "
                       "camera { eye: 0.6,0.9,-1.5 look: 0.355432,0.488553,0.222312 fov: 40 }");

@@ -9,6 +9,7 @@
 #include "host/wide/wide_scene.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/example_scenes.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/referee.hpp"
 #include "tests/support/render_text.hpp"
 
@@ -84,7 +85,7 @@ TEST(WideZoom, is_right_to_the_last_pixel) {
 /// kernels judge in their stead.
 TEST(WideAlarms, tell_of_no_overflow_that_was_none) {
     RenderRequest request;
-    request.scene_path = PXM_SOURCE_DIR "/scenes/deep_zoom.pxm";
+    request.scene_path = test::source_dir + "/scenes/deep_zoom.pxm";
     request.overrides.size = PixelSize{320, 240};
     request.overrides.zoom = 1e30;
     const RenderResult result = render(request, {});
