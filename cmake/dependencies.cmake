@@ -1,15 +1,38 @@
 # What is taken from the system. Each library is known to one file or one folder of host/.
-find_package(Threads REQUIRED)            # the machine's 64 nodes on host threads (pxm/)
-find_package(OpenMP REQUIRED COMPONENTS CXX)  # the native engines
-find_package(hwy REQUIRED CONFIG)         # wide registers (host/wide/)
-find_package(glm REQUIRED)                # host vectors and matrices
-find_package(OpenImageIO REQUIRED)        # image files
-find_package(Eigen3 REQUIRED NO_MODULE)   # eigenvalues, singular values
-find_package(CLI11 REQUIRED)              # the command line
-find_package(fmt REQUIRED)                # text
-find_package(nlohmann_json REQUIRED)      # statistics
+# PXM_LIBRARIES gathers the names, for `pxm --version`.
 
-# Debian's OpenImageIO target names an opencv4 include folder that nobody installs.
+# needs(NAME PACKAGE FIND...): FIND are the arguments of find_package. A library that is not there ends
+# the configuration with a message that names the Debian package which brings it.
+macro(needs name package find)
+    find_package(${find} ${ARGN} QUIET)
+    if(NOT ${find}_FOUND)
+        missing(${name} ${package})
+    endif()
+    list(APPEND PXM_LIBRARIES ${name})
+endmacro()
+
+function(missing name package)
+    message(FATAL_ERROR "${name} is missing: install Debian's ${package} "
+        "(tools/packages.txt and tools/packages-test.txt list all that pxm needs)")
+endfunction()
+
+needs(pthreads g++ Threads)                    # the machine's 64 nodes on host threads (pxm/)
+needs(OpenMP g++ OpenMP COMPONENTS CXX)       # the native engines
+needs(Highway libhwy-dev hwy CONFIG)          # wide registers (host/wide/)
+needs(GLM libglm-dev glm)                     # host vectors and matrices
+needs(Eigen libeigen3-dev Eigen3 NO_MODULE)   # eigenvalues, singular values
+needs(CLI11 libcli11-dev CLI11)               # the command line
+needs(fmt libfmt-dev fmt)                     # text
+needs(nlohmann-json nlohmann-json3-dev nlohmann_json)  # statistics
+needs(Boost.Multiprecision libboost-dev Boost)         # the eye's place in 77 digits, headers only
+
+# Debian's OpenImageIO target names the tools, and fails with the name of a file where they are not there.
+find_program(PXM_IMAGE_TOOLS iconvert)
+if(NOT PXM_IMAGE_TOOLS)
+    missing("iconvert of OpenImageIO" openimageio-tools)
+endif()
+needs(OpenImageIO libopenimageio-dev OpenImageIO)      # image files
+# It also names an opencv4 include folder that nobody installs.
 foreach(property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES)
     get_target_property(folders OpenImageIO::OpenImageIO ${property})
     if(folders)
@@ -17,4 +40,9 @@ foreach(property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTOR
         set_target_properties(OpenImageIO::OpenImageIO PROPERTIES ${property} "${folders}")
     endif()
 endforeach()
-find_path(PXM_RANDOM123 Random123/philox.h REQUIRED)  # counter-based random numbers, headers only
+
+find_path(PXM_RANDOM123 Random123/philox.h)   # counter-based random numbers, headers only
+if(NOT PXM_RANDOM123)
+    missing(Random123 librandom123-dev)
+endif()
+list(APPEND PXM_LIBRARIES Random123)

@@ -10,8 +10,7 @@ namespace pxm::host {
 namespace {
 
 const char* version_text() {
-    return "pxm " PXM_VERSION
-           "\nrequired: OpenImageIO, GLM, OpenMP, pthreads, Eigen, CLI11, fmt, nlohmann-json";
+    return "pxm " PXM_VERSION "\nrequired: " PXM_LIBRARIES;  // cmake/dependencies.cmake
 }
 
 /// CLI11 only says that a command is missing; a misspelt one is named here.
