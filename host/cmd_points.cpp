@@ -7,6 +7,7 @@
 
 #include "host/cmd.hpp"
 #include "host/fractal/chaos_game.hpp"
+#include "host/fractal/default_weights.hpp"
 #include "host/fractal/proven_rifs.hpp"
 #include "host/interrupt.hpp"
 #include "host/output/ply.hpp"
@@ -62,7 +63,7 @@ std::vector<Player> make_players(const Scene& scene, std::uint64_t seed, Diagnos
             colors.push_back(map.color.value_or(glm::dvec4{0.0}));
         const glm::dvec4 paint = object.color.value_or(glm::dvec4{0.0});
         players.push_back({ChaosGame(proven->rifs, weights_of(*block, proven->rifs), colors,
-                                     proven->contraction.rate, seed + players.size()),
+                                     seed + players.size()),
                            compose(object.commands),
                            base_color * (1 - paint.a) + glm::dvec3{paint} * paint.a});
     }
@@ -81,7 +82,7 @@ bool draw_points(std::vector<Player>& players, std::uint64_t count, PlyWriter& f
         const std::uint64_t last = count / players.size() * (i + 1) +
                                    std::min<std::uint64_t>(count % players.size(), i + 1);
         for (; drawn < last; ++drawn) {
-            const CloudPoint& point = player.game.next();
+            const CloudPoint point = player.game.next();
             file.add(player.instance.point(point.place), point.blend.of(player.color));
             if (drawn % points_between_looks == 0) {
                 if (stop_requested()) return false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "host/fractal/inner_points.hpp"
 
@@ -11,73 +12,34 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double floor_share = 1e-3;        // of the largest weight
-constexpr double settled = 1e-12;           // what is left of the first points' place and colour
-constexpr long longest_warm_up = 100'000;   // steps, however slow the contraction
-constexpr long sweep_budget = 1'000'000;    // points drawn to begin with, all sets together
-constexpr std::uint64_t restart_mask = 15;  // the walk begins again at the start once in 16 steps
+constexpr double resolution = 0x1p-54;  // of the attractor's size
+constexpr double enough = 2;           // times what inner points show of E_s is more than all of it
+constexpr int most_passages = 10'000;  // of a descent, however slow the contraction
 
-AliasTable table_of(const std::vector<std::uint32_t>& maps, const std::vector<double>& weights) {
-    std::vector<double> own;
-    own.reserve(maps.size());
-    for (const std::uint32_t map : maps) own.push_back(weights[map]);
-    if (std::ranges::all_of(own, [](double w) { return w == 0; })) {
-        std::ranges::fill(own, 1.0);
-    }
-    return AliasTable(own);
+double size_of(const glm::dmat3& linear) {
+    return std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) +
+                     glm::dot(linear[2], linear[2]));
+}
+
+double reach_from(const glm::dvec3& center, const Points& points) {
+    double reach = 0;
+    for (const glm::dvec3& point : points) reach = std::max(reach, glm::distance(center, point));
+    return enough * reach;
 }
 
 }  // namespace
 
-std::vector<double> default_weights(const Rifs& rifs) {
-    std::vector<double> weights;
-    for (const Affine& map : rifs.maps) weights.push_back(std::abs(determinant(map)));
-    const double largest = *std::ranges::max_element(weights);
-    for (double& weight : weights) {
-        weight = largest > 0 ? std::max(weight, floor_share * largest) : 1;
-    }
-    return weights;
-}
-
 ChaosGame::ChaosGame(const Rifs& rifs, const std::vector<double>& weights,
-                     const std::vector<glm::dvec4>& colors, double rate, std::uint64_t seed)
-    : points_(rifs.follow_sets.size()),
+                     const std::vector<glm::dvec4>& colors, std::uint64_t seed)
+    : words_(rifs, weights, colors),
+      inner_(inner_point_of_each(rifs)),
       start_(static_cast<std::uint32_t>(rifs.start)),
-      walker_(start_),
-      single_(rifs.follow_sets.size() == 1),
       seed_(seed) {
-    for (const FollowSet& set : rifs.follow_sets) {
-        std::vector<std::uint32_t> maps(set.maps.begin(), set.maps.end());
-        AliasTable table = table_of(maps, weights);
-        sets_.push_back({std::move(table), std::move(maps)});
+    const std::vector<Points> points = inner_points(rifs);
+    for (std::size_t s = 0; s < points.size(); ++s) {
+        reach_.push_back(reach_from(inner_[s], points[s]));
     }
-    for (std::size_t i = 0; i < rifs.maps.size(); ++i) {
-        const Affine& map = rifs.maps[i];
-        const glm::dvec4& color = colors[i];
-        steps_.push_back({{map.linear[0], map.linear[1], map.linear[2]},
-                          map.translation,
-                          glm::dvec3{color} * color.a,
-                          1 - color.a,
-                          static_cast<std::uint32_t>(rifs.follow_of[i])});
-    }
-    const double bounded_rate = std::clamp(rate, 0.0, 1 - 1e-9);
-    const double steps = bounded_rate > 0 ? std::log(settled) / std::log(bounded_rate) : 1;
-    const auto sets = static_cast<double>(sets_.size());
-    const long warm_up = static_cast<long>(
-        std::min<double>(static_cast<double>(longest_warm_up), 43 + 2 * steps * sets));  // Alg. 7.1
-    settle(rifs, static_cast<long>(std::min<double>(longest_warm_up, 1 + steps)));
-    for (long i = 0; i < warm_up; ++i) (void)next();
-}
-
-// A set that the walk rarely comes to would keep its first point for long: that point belongs to
-// the attractor, and every set is drawn as often as the others before the walk begins.
-void ChaosGame::settle(const Rifs& rifs, long rounds) {
-    const Points inside = inner_point_of_each(rifs);
-    for (std::size_t s = 0; s < points_.size(); ++s) points_[s].place = inside[s];
-    const long sets = static_cast<long>(sets_.size());
-    for (long round = std::min(rounds, sweep_budget / sets + 1); round > 0; --round) {
-        for (long s = 0; s < sets; ++s) (void)draw(static_cast<std::uint32_t>(s));
-    }
+    negligible_ = resolution * reach_[start_];
 }
 
 std::uint64_t ChaosGame::random_bits() {
@@ -97,29 +59,18 @@ std::uint64_t ChaosGame::random_bits() {
     return std::uint64_t{bits[0]} << 32 | bits[1];
 }
 
-std::uint32_t ChaosGame::draw(std::uint32_t set) {
-    const Set& s = sets_[set];
-    const Step& step = steps_[s.maps[s.table.draw(random_bits())]];
-    const CloudPoint& from = points_[step.inside];
-    const glm::dvec3& x = from.place;
-    CloudPoint to;
-    to.place = step.offset + x.x * step.row[0] + x.y * step.row[1] + x.z * step.row[2];
-    // The outermost map paints first: c -> keep c + paint, then what the inner word does.
-    to.blend.keep = from.blend.keep * step.keep;
-    to.blend.add = from.blend.keep * step.paint + from.blend.add;
-    points_[set] = to;
-    return step.inside;
-}
-
-void ChaosGame::refresh() {
-    walker_ = draw(walker_);
-    if ((counter_ & restart_mask) == 0) walker_ = start_;
-}
-
-const CloudPoint& ChaosGame::next() {
-    if (!single_) refresh();
-    (void)draw(start_);
-    return points_[start_];
+CloudPoint ChaosGame::next() {
+    Affine place;
+    ColorBlend blend;
+    std::uint32_t set = start_;
+    for (int passages = 0; passages < most_passages; ++passages) {
+        const Passage& passage = words_.draw(set, random_bits());
+        place = then(passage.map, place);
+        blend = blend.then(passage.blend);
+        set = passage.inside;
+        if (size_of(place.linear) * reach_[set] <= negligible_) break;
+    }
+    return {place.point(inner_[set]), blend};
 }
 
 }  // namespace pxm::host

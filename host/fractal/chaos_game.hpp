@@ -1,9 +1,9 @@
-// The chaos game (Alg. 7.1) for any RIFS, weakly connected ones included. Each new map goes on the
-// outside, so the graph's edges are walked backwards: a point that may stand where map m ends is
-// carried to where m may stand. One running point is kept for every follow set; the plotted points
-// are those drawn for the start set, and a walk down the graph keeps the running points of all
-// other sets fresh. Every set's point then has the distribution it has in a random descent from the
-// start: map m of a set is taken with probability weight_m over the sum of the set's weights.
+// The chaos game for any RIFS, weakly connected ones included. Alg. 7.1 carries one point on and
+// on, each new map on the outside; here every point has a random word of its own, outermost map
+// first, which goes on until what is left of the attractor inside it is below the resolution of a
+// double. So points are independent, they come with exactly the distribution of a random descent
+// from the start (in a follow set, map m with probability weight_m over the sum of the set's
+// weights), and none is a repetition unless the attractor leaves no choice.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,10 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "host/fractal/alias_table.hpp"
+#include "host/fractal/random_words.hpp"
 #include "host/fractal/rifs.hpp"
 
 namespace pxm::host {
-
-/// Blending along a word is affine in the colour it starts from: c -> keep c + add.
-struct ColorBlend {
-    double keep = 1;
-    glm::dvec3 add{0.0};
-
-    [[nodiscard]] glm::dvec3 of(const glm::dvec3& c) const { return keep * c + add; }
-};
 
 /// A point of the attractor and what its word does to a colour.
 struct CloudPoint {
@@ -30,45 +22,24 @@ struct CloudPoint {
     ColorBlend blend;
 };
 
-/// Weights of the maps where the scene gives none: |det|, floored at a thousandth of the largest
-/// (or of an even share) so that no map is starved.
-[[nodiscard]] std::vector<double> default_weights(const Rifs& rifs);
-
 class ChaosGame {
   public:
     /// `weights` and `colors` (r,g,b,a) per map. The same seed gives the same points, whatever
-    /// draws them. Precondition: the system contracts by `rate` a map in the long run.
+    /// draws them. Precondition: the system contracts.
     ChaosGame(const Rifs& rifs, const std::vector<double>& weights,
-              const std::vector<glm::dvec4>& colors, double rate, std::uint64_t seed);
+              const std::vector<glm::dvec4>& colors, std::uint64_t seed);
 
     /// The next point.
-    [[nodiscard]] const CloudPoint& next();
+    [[nodiscard]] CloudPoint next();
 
   private:
-    /// A map with all that a step reads, close together.
-    struct Step {
-        glm::dvec3 row[3];
-        glm::dvec3 offset;
-        glm::dvec3 paint;
-        double keep;
-        std::uint32_t inside;  // the follow set whose point it carries
-    };
-    struct Set {
-        AliasTable table;
-        std::vector<std::uint32_t> maps;
-    };
-
     [[nodiscard]] std::uint64_t random_bits();
-    [[nodiscard]] std::uint32_t draw(std::uint32_t set);
-    void refresh();
-    void settle(const Rifs& rifs, long rounds);
 
-    std::vector<Step> steps_;
-    std::vector<Set> sets_;
-    std::vector<CloudPoint> points_;  // one per follow set
+    RandomWords words_;
+    std::vector<glm::dvec3> inner_;  // per follow set: a point of E_s
+    std::vector<double> reach_;      // and how far E_s extends around it, about
+    double negligible_ = 0;          // a size that makes no difference
     std::uint32_t start_;
-    std::uint32_t walker_;  // the set that is refreshed next
-    bool single_;           // the start set is the only one
     std::uint64_t seed_;
     std::uint64_t counter_ = 0;
     std::uint64_t spare_bits_ = 0;

@@ -12,6 +12,7 @@
 
 #include "host/fractal/bounds.hpp"
 #include "host/fractal/chaos_game.hpp"
+#include "host/fractal/default_weights.hpp"
 #include "host/fractal/lipschitz.hpp"
 #include "tests/host/fractal/systems.hpp"
 
@@ -160,8 +161,7 @@ inline Tried points_lie_on_the_attractor(unsigned seed, int points) {
     const std::vector<Bounds> bounds = bound(rifs, contraction);
     const Ball& all = bounds[static_cast<std::size_t>(rifs.start)].ball;
     const double tolerance = 1e-6 * all.radius;
-    ChaosGame game(rifs, default_weights(rifs), std::vector<glm::dvec4>(rifs.maps.size()),
-                   contraction.rate, seed);
+    ChaosGame game(rifs, default_weights(rifs), std::vector<glm::dvec4>(rifs.maps.size()), seed);
     Membership membership(rifs, bounds, tolerance);
     Tried tried;
     for (int i = 0; i < points; ++i) {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "host/fractal/bounds.hpp"
+#include "host/fractal/default_weights.hpp"
 #include "host/fractal/proven_rifs.hpp"
 #include "host/scene/parser.hpp"
 
@@ -33,7 +34,7 @@ System system_of(const std::string& text) {
 }
 
 ChaosGame game_of(const System& system, std::vector<double> weights, std::uint64_t seed = 7) {
-    return {system.proven.rifs, weights, system.colors, system.proven.contraction.rate, seed};
+    return {system.proven.rifs, weights, system.colors, seed};
 }
 
 ChaosGame game_of(const System& system) {
@@ -127,15 +128,6 @@ TEST(ChaosGame, maps_come_as_often_as_their_weights_say) {
     EXPECT_NEAR(count[0], points / 8.0, 5 * std::sqrt(points / 8.0));
     EXPECT_NEAR(count[1], points / 4.0, 5 * std::sqrt(points / 4.0));
     EXPECT_NEAR(count[2], points * 5 / 8.0, 5 * std::sqrt(points * 5 / 8.0));
-}
-
-TEST(ChaosGame, default_weights_go_by_the_determinant_and_starve_no_map) {
-    const System system =
-        system_of("ifs fern { newmap scale: 0,0.16,0.5 newmap scale: 0.8 newmap scale: 0.4 }");
-    const std::vector<double> weights = default_weights(system.proven.rifs);
-    EXPECT_DOUBLE_EQ(weights[1] / weights[2], 8);
-    EXPECT_GT(weights[0], 0);
-    EXPECT_LT(weights[0], weights[2]);
 }
 
 TEST(ChaosGame, the_same_seed_gives_the_same_points_and_another_seed_others) {
