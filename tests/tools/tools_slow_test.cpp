@@ -121,6 +121,61 @@ TEST_F(Tools, a_failed_build_shows_its_output_and_runs_nothing) {
     }
 }
 
+TEST_F(Tools, a_build_that_stopped_goes_on_where_it_was) {
+    // A tree of three steps with the real cmake; the second fails until there is a file `mended`.
+    fs::remove(root_ / "bin/cmake");
+    write(root_ / "CMakePresets.json",
+          R"({"version": 6, "configurePresets": [{"name": "user", "generator": "Ninja",
+              "binaryDir": "${sourceDir}/build/user"}],
+              "buildPresets": [{"name": "user", "configurePreset": "user"}]})");
+    write(root_ / "CMakeLists.txt", R"(cmake_minimum_required(VERSION 3.25)
+project(steps NONE)
+set(top ${CMAKE_SOURCE_DIR})
+add_custom_command(OUTPUT one COMMAND echo one >> ${top}/done COMMAND touch one)
+add_custom_command(OUTPUT two DEPENDS one COMMAND test -e ${top}/mended COMMAND touch two)
+add_custom_command(OUTPUT bin/pxm DEPENDS two COMMAND mkdir -p bin
+                   COMMAND cp ${top}/host/main.cpp bin/pxm COMMAND chmod +x bin/pxm)
+add_custom_target(all_of_it ALL DEPENDS bin/pxm)
+)");
+    write(root_ / "host/main.cpp", "#!/bin/sh\nexit 7\n");
+    const Outcome stopped = run("");
+    EXPECT_EQ(stopped.exit_code, 1);
+    EXPECT_THAT(stopped.err, HasSubstr("building pxm: 3 steps, about"));
+    EXPECT_THAT(stopped.err, HasSubstr("the build failed"));
+
+    write(root_ / "mended", "");
+    const Outcome again = run("");
+    EXPECT_EQ(again.exit_code, 7) << again.err;
+    EXPECT_THAT(again.err, HasSubstr("building pxm: 2 steps, about"));
+    EXPECT_EQ(read(root_ / "done"), "one\n") << "the first step is not taken again";
+}
+
+TEST_F(Tools, a_terminal_shows_steps_and_the_time_left_and_a_file_does_not) {
+    const std::string as_before = read(root_ / "bin/cmake");
+    stand_in("cmake", "printf '[1/4] a.cpp\\n[2/4] b.cpp\\n[4/4] pxm\\n'\n" +
+                          as_before.substr(as_before.find('\n') + 1));
+    stand_in("dpkg", "exit 1");
+    stand_in(
+        "apt-get",
+        "[[ $2 == install ]] && printf 'dlstatus:3:40.5:Retrieving file 3 of 9 (5s remaining)\\n"
+        "pmstatus:g++:62.0:Unpacking g++\\n'");
+    const std::string command = "cd '" + root_.string() + "' && PATH='" + (root_ / "bin").string() +
+                                "':$PATH script -qec 'tools/pxm render' /dev/null </dev/null >out";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 7);
+    const std::string shown = read(root_ / "out");
+    EXPECT_THAT(shown, HasSubstr("fetching packages, 40 %: Retrieving file 3 of 9 (5s remaining)"));
+    EXPECT_THAT(shown, HasSubstr("installing packages, 62 %: Unpacking g++"));
+    EXPECT_THAT(shown, HasSubstr("building pxm: 4 steps, about "));
+    EXPECT_THAT(shown, HasSubstr("step 2 of 4, about 0 seconds left"));
+
+    edit("host/main.cpp");
+    const Outcome quiet = run("render");
+    EXPECT_EQ(quiet.exit_code, 7);
+    EXPECT_THAT(quiet.err, HasSubstr("building pxm: 4 steps, about "));
+    EXPECT_THAT(quiet.err, testing::Not(HasSubstr("step 2 of 4")));
+    EXPECT_THAT(quiet.err, testing::Not(HasSubstr("\033")));
+}
+
 TEST_F(Tools, root_installs_what_is_missing_without_asking) {
     stand_in("dpkg", "[[ $2 != libglm-dev ]] && echo 'Status: install ok installed'");
     EXPECT_EQ(run("").exit_code, 7);
