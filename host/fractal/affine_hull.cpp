@@ -4,10 +4,12 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <utility>
 
 #include "host/fractal/growth.hpp"
 #include "host/fractal/inner_points.hpp"
+#include "host/fractal/lipschitz.hpp"
 
 namespace pxm::host {
 
@@ -83,6 +85,38 @@ void straighten(AffineHull& hull) {
         straight.axes[straight.dimension++] = glm::normalize(best);
     }
     hull = straight;
+}
+
+bool is_similitude(const Affine& map) {
+    const MapKind kind = classify(map);
+    return kind == MapKind::homothety || kind == MapKind::similitude;
+}
+
+/// The ratio of a map that has entries in the first n axes only and is a similitude of these.
+std::optional<double> ratio_within(const glm::dmat3& linear, int n) {
+    constexpr double nearly = 1e-12;
+    const double square = glm::dot(linear[0], linear[0]);
+    if (!(square > 0)) return std::nullopt;
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            const double expected = i == j ? square : 0;
+            if (std::abs(glm::dot(linear[i], linear[j]) - expected) > nearly * square) {
+                return std::nullopt;
+            }
+        }
+    }
+    return std::sqrt(square);
+}
+
+/// The axes of the hull and some that complete them.
+std::array<glm::dvec3, 3> all_axes(const AffineHull& hull) {
+    AffineHull whole = hull;
+    for (int i = 0; i < 3; ++i) {
+        glm::dvec3 axis{0.0};
+        axis[i] = 1;
+        add(whole, axis, 0.5);  // of three axes one at least is that far from any line or plane
+    }
+    return whole.axes;
 }
 
 /// A hull grows three times at most; then those of the sets that lead to it may grow.
@@ -164,6 +198,34 @@ std::optional<Rifs> within_hulls(const Rifs& rifs, const std::vector<AffineHull>
         }
     }
     return flat;
+}
+
+Rifs as_similitudes(const Rifs& rifs, const std::vector<AffineHull>& hulls) {
+    const auto flat = within_hulls(rifs, hulls);
+    if (!flat || std::ranges::all_of(rifs.maps, is_similitude)) return rifs;
+    std::vector<const AffineHull*> place(rifs.maps.size(), nullptr);
+    for (std::size_t s = 0; s < hulls.size(); ++s) {
+        for (const int m : rifs.follow_sets[s].maps) place[m] = &hulls[s];
+    }
+    Rifs result = rifs;
+    for (std::size_t m = 0; m < rifs.maps.size(); ++m) {
+        const AffineHull& inside = hulls[rifs.follow_of[m]];
+        if (place[m] == nullptr || inside.dimension == 0) return rifs;
+        if (inside.dimension != place[m]->dimension) return rifs;
+        const auto ratio = ratio_within(flat->maps[m].linear, inside.dimension);
+        if (!ratio) return rifs;
+        Affine& map = result.maps[m];
+        map.linear = glm::dmat3{0.0};
+        const auto from = all_axes(inside);
+        const auto to = all_axes(*place[m]);
+        for (int i = 0; i < 3; ++i) {
+            const glm::dvec3 image =
+                i < inside.dimension ? rifs.maps[m].direction(from[i]) : *ratio * to[i];
+            map.linear += glm::outerProduct(image, from[i]);
+        }
+        map.translation = rifs.maps[m].point(inside.point) - map.linear * inside.point;
+    }
+    return result;
 }
 
 int recurrent_dimension(const Rifs& rifs, const std::vector<AffineHull>& hulls) {

@@ -18,6 +18,12 @@ struct AffineHull {
     std::array<glm::dvec3, 3> axes{};
 };
 
+/// point, line, plane or space
+[[nodiscard]] constexpr const char* hull_name(int dimension) {
+    constexpr std::array names{"point", "line", "plane", "space"};
+    return names[static_cast<std::size_t>(dimension)];
+}
+
 /// Of each E_s, up to rounding: what sticks out by less than 1e-11 of the maps and of the places
 /// does not count. Precondition: the system contracts.
 [[nodiscard]] std::vector<AffineHull> affine_hulls(const Rifs& rifs);
@@ -31,6 +37,10 @@ struct AffineHull {
 /// 0. Translations are left out. Nothing if a map stands in hulls of different directions.
 [[nodiscard]] std::optional<Rifs> within_hulls(const Rifs& rifs,
                                                const std::vector<AffineHull>& hulls);
+
+/// Where all maps are similitudes of the hulls, the same system by similitudes of space: what maps
+/// did beside the hulls never mattered. Else `rifs` itself.
+[[nodiscard]] Rifs as_similitudes(const Rifs& rifs, const std::vector<AffineHull>& hulls);
 
 /// The largest dimension of the hulls of sets that a cycle passes: no part of the attractor has
 /// more dimensions.

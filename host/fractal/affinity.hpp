@@ -1,6 +1,7 @@
 // Falconer's affinity dimension (Sec. 6.4.1 with Erratum 7): the d at which the sum of phi^d over
 // all words of k maps neither grows nor falls with k. For almost all translations it is the
-// attractor's dimension, if Lip < 1/2 [Falconer88] [Solomyak98]. Not clamped at 3.
+// attractor's dimension, if Lip < 1/2 [Falconer88] [Solomyak98]. Only what the maps do within the
+// plane or line that the attractor lies in counts. Not clamped at the dimension of that.
 #pragma once
 
 #include <optional>
@@ -13,10 +14,11 @@ namespace pxm::host {
 
 struct Affinity {
     double value = 0;
-    double upper = 0;     // the dimension is not larger
-    bool exact = false;   // value is the dimension, up to rounding
-    std::string why;      // how it was found
-    int word_length = 1;  // longest words looked at
+    double upper = 0;        // the dimension is not larger: proven
+    bool exact = false;      // value is the dimension, up to rounding
+    std::string why;         // how it was found
+    int word_length = 1;     // longest words looked at
+    bool conformal = false;  // all maps are similitudes in some coordinates
 };
 
 /// Precondition: the system contracts, and every follow set is reached from the start.
@@ -29,6 +31,7 @@ struct ClosedForm {
     Interval dimension;
     std::string why;
 };
-[[nodiscard]] std::optional<ClosedForm> affinity_of_triangular(const Rifs& rifs);
+/// `n`: maps have entries in the first n axes only.
+[[nodiscard]] std::optional<ClosedForm> affinity_of_triangular(const Rifs& rifs, int n);
 
 }  // namespace pxm::host

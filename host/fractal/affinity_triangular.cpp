@@ -77,7 +77,8 @@ Diagonal conformal_factors(const Affine& map, int axis) {
 
 /// The largest over the orders of the axes of the d at which sum |t_1| |t_2|^{d-1}, or as many
 /// factors as d asks for, grows no more.
-Interval largest_exponent_of(const Rifs& rifs, const std::vector<Diagonal>& factors) {
+Interval largest_exponent_of(const Rifs& rifs, int n, const std::vector<Diagonal>& factors) {
+    if (!branches(rifs)) return {0, 0};
     const auto components = cyclic_components(rifs);
     std::vector<double> weight(factors.size());
     Interval result{0, 0};
@@ -87,7 +88,7 @@ Interval largest_exponent_of(const Rifs& rifs, const std::vector<Diagonal>& fact
                 LogStretch stretch{};
                 double log = 0;
                 for (int i = 0; i < 3; ++i) stretch[i] = log += std::log(factors[m][order[i]]);
-                weight[m] = std::exp(log_singular_value_function(stretch, d));
+                weight[m] = std::exp(log_singular_value_function(stretch, d, n));
             }
             return growth(map_sums(rifs, weight), components);
         });
@@ -102,18 +103,19 @@ bool all_maps(const Rifs& rifs, const Property& property) {
     return std::all_of(rifs.maps.begin(), rifs.maps.end(), property);
 }
 
-ClosedForm closed_form(const Rifs& rifs, const std::vector<Diagonal>& factors, const char* why) {
-    return {largest_exponent_of(rifs, factors), why};
+ClosedForm closed_form(const Rifs& rifs, int n, const std::vector<Diagonal>& factors,
+                       const char* why) {
+    return {largest_exponent_of(rifs, n, factors), why};
 }
 
 }  // namespace
 
-std::optional<ClosedForm> affinity_of_triangular(const Rifs& rifs) {
+std::optional<ClosedForm> affinity_of_triangular(const Rifs& rifs, int n) {
     std::vector<Diagonal> factors;
     for (const Order& order : orders) {
         if (!all_maps(rifs, [&](const Affine& map) { return is_triangular(map, order); })) continue;
         for (const Affine& map : rifs.maps) factors.push_back(diagonal(map));
-        return closed_form(rifs, factors,
+        return closed_form(rifs, n, factors,
                            all_maps(rifs, is_diagonal)
                                ? "exact: all maps are diagonal"
                                : "exact: all maps are triangular in one order of the axes");
@@ -126,7 +128,7 @@ std::optional<ClosedForm> affinity_of_triangular(const Rifs& rifs) {
                 continue;
             }
             for (const Affine& map : rifs.maps) factors.push_back(conformal_factors(map, axis));
-            return closed_form(rifs, factors,
+            return closed_form(rifs, n, factors,
                                "exact: all maps are similitudes of one plane of two axes, and "
                                "triangular beside it");
         }

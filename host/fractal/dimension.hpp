@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "host/fractal/affinity.hpp"
-#include "host/fractal/bounds.hpp"
 #include "host/fractal/box_counting.hpp"
 #include "host/fractal/growth.hpp"
 #include "host/fractal/open_set.hpp"
@@ -19,12 +18,17 @@ struct Dimensions {
     std::optional<Interval> similarity;
     Affinity affinity;
     BoxCounting box_counting;
-    std::string meaning;  // what they say of the Hausdorff dimension
+    int hull = 3;      // dimensions of the line, plane or space that it lies in
+    double upper = 3;  // the Hausdorff and box-counting dimensions are not larger: proven
+    std::optional<double> exact;  // both are this, if that is known
+    std::string meaning;          // what is known of them, and why
 };
 
-/// Precondition: the system contracts, and every follow set is reached from the start. `bounds` as
-/// from bound().
-[[nodiscard]] Dimensions dimensions(const Rifs& rifs, const std::vector<Bounds>& bounds,
-                                    OpenSetCondition condition);
+/// All but what box counting measures. Preconditions: the system contracts, and every follow set is
+/// reached from the start. The meaning is that without knowledge of the attractor's topology.
+[[nodiscard]] Dimensions dimensions(const Rifs& rifs, OpenSetCondition condition);
+
+/// What follows once it is known whether the attractor is totally disconnected.
+void add_topology(Dimensions& found, const std::optional<bool>& totally_disconnected);
 
 }  // namespace pxm::host

@@ -6,19 +6,21 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
-#include <map>
 #include <numeric>
 
 #include "host/fractal/growth.hpp"
 #include "host/fractal/inner_points.hpp"
 #include "host/fractal/lipschitz.hpp"
+#include "host/fractal/neighbours.hpp"
 #include "host/fractal/word_sums.hpp"
 
 namespace pxm::host {
 
 namespace {
 
-constexpr double same_point = 1e-8;  // of the attractor's size: points nearer are one
+constexpr double same_point = 1e-11;    // of the attractor's size: points nearer are one
+constexpr double smallest_cell = 1e-8;  // of the size: cells this small that are not apart touch
+constexpr double gap = 1e-12;           // of the size and of places: no less keeps cells apart
 constexpr long edge_limit =
     20'000;  // maps that may come somewhere, for the search of common points
 constexpr long pair_limit = 50'000;        // pairs of maps that may come at one place
@@ -35,7 +37,12 @@ bool constants_add_up_to_less(const Rifs& rifs) {
 class PairSearch {
   public:
     PairSearch(const Rifs& rifs, const std::vector<Bounds>& bounds) : rifs_(rifs), bounds_(bounds) {
-        for (const Bounds& b : bounds) size_ = std::max(size_, b.ball.radius);
+        double places = 0;
+        for (const Bounds& b : bounds) {
+            size_ = std::max(size_, b.ball.radius);
+            places = std::max(places, glm::length(b.ball.center));
+        }
+        gap_ = gap * (size_ + places);
     }
 
     bool all_images_are_apart() {
@@ -73,11 +80,11 @@ class PairSearch {
                 {place.point(b.ball.center), lipschitz_constant(place) * b.ball.radius},
                 {middle - reach, middle + reach}};
     }
-    static bool bounds_are_apart(const Cell& a, const Cell& b) {
-        if (glm::distance(a.ball.center, b.ball.center) > a.ball.radius + b.ball.radius)
-            return true;
-        return glm::any(glm::greaterThan(a.box.low, b.box.high)) ||
-               glm::any(glm::greaterThan(b.box.low, a.box.high));
+    [[nodiscard]] bool bounds_are_apart(const Cell& a, const Cell& b) const {
+        const double reach = a.ball.radius + b.ball.radius + gap_;
+        if (glm::distance(a.ball.center, b.ball.center) > reach) return true;
+        return glm::any(glm::greaterThan(a.box.low, b.box.high + gap_)) ||
+               glm::any(glm::greaterThan(b.box.low, a.box.high + gap_));
     }
     Cell image(int m) const { return make(rifs_.maps[m], rifs_.follow_of[m]); }
 
@@ -88,7 +95,7 @@ class PairSearch {
             open.pop_back();
             if (++looked_at_ > cell_pair_limit) return false;
             if (bounds_are_apart(x, y)) continue;
-            if (x.ball.radius + y.ball.radius < same_point * size_) return false;  // they touch
+            if (x.ball.radius + y.ball.radius < smallest_cell * size_) return false;  // they touch
             if (x.ball.radius < y.ball.radius) std::swap(x, y);
             for (const int m : rifs_.follow_sets[x.set].maps) {
                 open.emplace_back(make(then(rifs_.maps[m], x.place), rifs_.follow_of[m]), y);
@@ -100,32 +107,57 @@ class PairSearch {
     const Rifs& rifs_;
     const std::vector<Bounds>& bounds_;
     double size_ = 0;
+    double gap_ = 0;
     long looked_at_ = 0;
 };
 
 /// The images of a set's maps hang together if the graph of those that share a point does.
 class Joints {
   public:
-    Joints(const Rifs& rifs, const std::vector<Points>& inner, double size)
-        : rifs_(rifs), inner_(inner), grid_(same_point * size) {}
+    Joints(const Rifs& rifs, const std::vector<Points>& inner, double tolerance)
+        : rifs_(rifs), inner_(inner), tolerance_(tolerance) {}
 
-    bool hang_together(const FollowSet& set) {
-        leader_.resize(rifs_.maps.size());
+    /// `touching`: pairs of maps whose images in one set have common points anyway.
+    bool hang_together(const FollowSet& set, const std::vector<std::array<int, 2>>& touching) {
+        leader_.assign(rifs_.maps.size(), nowhere);
         for (const int m : set.maps) leader_[m] = m;
-        std::map<std::array<double, 3>, int> owner;  // of a point: the first map that has it
+        for (const auto& [a, b] : touching) {
+            if (leader_[a] != nowhere && leader_[b] != nowhere) leader_[find(a)] = find(b);
+        }
+        std::vector<Place> places;
         for (const int m : set.maps) {
             for (const glm::dvec3& point : inner_[rifs_.follow_of[m]]) {
-                const glm::dvec3 p = rifs_.maps[m].point(point) / grid_;
-                const auto [found, fresh] =
-                    owner.emplace(std::array{std::round(p.x), std::round(p.y), std::round(p.z)}, m);
-                if (!fresh) leader_[find(m)] = find(found->second);
+                const glm::dvec3 image = rifs_.maps[m].point(point);
+                places.push_back({glm::dot(image, across), image, m});
             }
         }
+        std::ranges::sort(places, {}, &Place::along);
+        for (std::size_t i = 0; i < places.size(); ++i) link_with_next(places, i);
         const int first = find(set.maps.front());
         return std::ranges::all_of(set.maps, [&](int m) { return find(m) == first; });
     }
 
   private:
+    /// A point of the image of a map, and how far it lies along a direction in which different
+    /// points hardly ever come together.
+    struct Place {
+        double along;
+        glm::dvec3 point;
+        int map;
+    };
+    static constexpr int nowhere = -1;
+    static constexpr glm::dvec3 across{0.5241, 0.6173, 0.5867};
+
+    void link_with_next(const std::vector<Place>& places, std::size_t i) {
+        constexpr std::size_t looked_at = 8;  // others may lie between
+        const std::size_t end = std::min(places.size(), i + 1 + looked_at);
+        for (std::size_t j = i + 1; j < end; ++j) {
+            if (places[j].along - places[i].along > tolerance_) return;
+            if (glm::distance(places[i].point, places[j].point) > tolerance_) continue;
+            leader_[find(places[i].map)] = find(places[j].map);
+        }
+    }
+
     int find(int m) {
         while (leader_[m] != m) m = leader_[m] = leader_[leader_[m]];
         return m;
@@ -133,7 +165,7 @@ class Joints {
 
     const Rifs& rifs_;
     const std::vector<Points>& inner_;
-    double grid_;
+    double tolerance_;
     std::vector<int> leader_;
 };
 
@@ -147,13 +179,20 @@ double extent(const Points& points) {
 
 /// If the images hang together for a set and for all it leads to, it is connected: its cells of any
 /// depth are linked by chains. True if such a set has two points.
-bool has_connected_piece(const Rifs& rifs) {
+bool has_connected_piece(const Rifs& rifs, const std::vector<std::array<int, 2>>& touching) {
     const std::vector<Points> inner = inner_points(rifs);
     double size = 0;
-    for (const Points& points : inner) size = std::max(size, extent(points));
-    Joints joints(rifs, inner, size);
+    double places = 0;
+    for (const Points& points : inner) {
+        size = std::max(size, extent(points));
+        places = std::max(places, glm::length(points.front()));
+    }
+    const double tolerance = same_point * (size + places);
+    if (!(tolerance < smallest_cell * size)) return false;  // too far away to tell points apart
+    Joints joints(rifs, inner, tolerance);
     std::vector<char> connected;
-    for (const FollowSet& set : rifs.follow_sets) connected.push_back(joints.hang_together(set));
+    for (const FollowSet& set : rifs.follow_sets)
+        connected.push_back(joints.hang_together(set, touching));
     for (bool changed = true; changed;) {
         changed = false;
         for (std::size_t s = 0; s < connected.size(); ++s) {
@@ -165,7 +204,7 @@ bool has_connected_piece(const Rifs& rifs) {
         }
     }
     for (std::size_t s = 0; s < connected.size(); ++s) {
-        if (connected[s] && extent(inner[s]) > 100 * same_point * size) return true;
+        if (connected[s] && extent(inner[s]) > 100 * smallest_cell * size) return true;
     }
     return false;
 }
@@ -184,14 +223,23 @@ long edges_of(const Rifs& rifs) {
 }  // namespace
 
 DisconnectedFinding decide_disconnected(const Rifs& rifs, const std::vector<Bounds>& bounds,
-                                        double affinity_upper) {
+                                        double dimension_upper) {
     if (constants_add_up_to_less(rifs)) {
         return {true, "the Lipschitz constants add up to less than 1 (Theorem 3.9)"};
     }
-    if (affinity_upper < 1) return {true, "its dimension is below 1"};
+    if (dimension_upper < 1) return {true, "its dimension is below 1"};
     const bool few = edges_of(rifs) <= edge_limit;
-    if (few && has_connected_piece(rifs)) {
+    if (few && has_connected_piece(rifs, {})) {
         return {false, "images that share points make a connected piece of it"};
+    }
+    if (few) {
+        const NeighbourFinding neighbours = find_neighbours(rifs, bounds);
+        if (neighbours.complete && neighbours.touching.empty()) {
+            return {true, "its images under the maps are disjoint (Theorem 3.8)"};
+        }
+        if (neighbours.complete && has_connected_piece(rifs, neighbours.touching)) {
+            return {false, "images that touch make a connected piece of it"};
+        }
     }
     // Theorem 3.8 needs injective maps (Erratum 16).
     if (few && all_injective(rifs) && PairSearch(rifs, bounds).all_images_are_apart()) {

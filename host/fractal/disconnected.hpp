@@ -15,10 +15,10 @@ struct DisconnectedFinding {
     std::string why;
 };
 
-/// `bounds` as from bound(), `affinity_upper` no smaller than the affinity dimension. Precondition:
-/// the system contracts, and every follow set is reached from the start.
+/// `bounds` as from bound(), `dimension_upper` no smaller than its Hausdorff dimension.
+/// Precondition: the system contracts, and every follow set is reached from the start.
 [[nodiscard]] DisconnectedFinding decide_disconnected(const Rifs& rifs,
                                                       const std::vector<Bounds>& bounds,
-                                                      double affinity_upper);
+                                                      double dimension_upper);
 
 }  // namespace pxm::host

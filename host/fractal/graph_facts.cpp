@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/fractal/components.hpp"
+
 namespace pxm::host {
 
 namespace {
@@ -108,6 +110,34 @@ Rifs reachable_part(const Rifs& rifs) {
         for (const int m : rifs.follow_sets[s].maps) set.maps.push_back(new_map[m]);
     }
     part.start = new_set[rifs.start];
+    return part;
+}
+
+RecurrentPart recurrent_part(const Rifs& rifs) {
+    const std::vector<int> component = set_components(rifs);
+    RecurrentPart part;
+    part.rifs.name = rifs.name;
+    std::vector<int> new_set(rifs.follow_sets.size(), -1);
+    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
+        const auto stays = [&](int m) { return component[rifs.follow_of[m]] == component[s]; };
+        if (std::ranges::none_of(rifs.follow_sets[s].maps, stays)) continue;
+        new_set[s] = static_cast<int>(part.sets.size());
+        part.sets.push_back(static_cast<int>(s));
+    }
+    std::vector<int> new_map(rifs.maps.size(), -1);
+    for (const int s : part.sets) {
+        FollowSet& set = part.rifs.follow_sets.emplace_back();
+        for (const int m : rifs.follow_sets[s].maps) {
+            if (component[rifs.follow_of[m]] != component[s]) continue;
+            if (new_map[m] < 0) {
+                new_map[m] = static_cast<int>(part.rifs.maps.size());
+                part.rifs.maps.push_back(rifs.maps[m]);
+                part.rifs.map_names.push_back(rifs.map_names[m]);
+                part.rifs.follow_of.push_back(new_set[rifs.follow_of[m]]);
+            }
+            set.maps.push_back(new_map[m]);
+        }
+    }
     return part;
 }
 

@@ -31,4 +31,12 @@ struct GraphFacts {
 /// The part of a system that its start leads to: what the attractor depends on.
 [[nodiscard]] Rifs reachable_part(const Rifs& rifs);
 
+/// What may come again and again: the follow sets that a cycle passes, each with the maps that lead
+/// to its own strongly connected component. The start is the first of them.
+struct RecurrentPart {
+    Rifs rifs;              // without maps and follow sets if there is no cycle
+    std::vector<int> sets;  // per follow set of it: which one it is of the whole
+};
+[[nodiscard]] RecurrentPart recurrent_part(const Rifs& rifs);
+
 }  // namespace pxm::host

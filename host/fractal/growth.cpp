@@ -5,12 +5,13 @@
 #include <limits>
 
 #include "host/fractal/components.hpp"
+#include "host/fractal/elimination.hpp"
 
 namespace pxm::host {
 
 namespace {
 
-constexpr double certain = 1e-14;   // a ratio nearer to 1 is not told from 1
+constexpr double unit = std::numeric_limits<double>::epsilon();
 constexpr double relative = 1e-13;  // of an exponent: what is told of it
 constexpr int most_sweeps = 400;    // of one comparison
 constexpr double work_limit = 2e7;  // entries looked at in one comparison
@@ -48,14 +49,28 @@ void sweep(const StepMatrix& matrix, const std::vector<int>& sets, std::vector<d
     for (auto s = sets.rbegin(); s != sets.rend(); ++s) relax(*s);
 }
 
-/// If M v = r v with r >= 1, a sweep takes what lies above v to what lies above v: then not all
-/// values can fall. Likewise, if r <= 1, not all can rise. So values that all fall prove r < 1.
-/// `x` and `before` are scratch space, one number for each follow set; x is 1 on `sets`.
-Growth growth_in(const StepMatrix& matrix, const std::vector<int>& sets, std::vector<double>& x,
-                 std::vector<double>& before) {
-    if (sets.size() == 1) {
-        return row_times(matrix, sets[0], x) < 1 ? Growth::below_one : Growth::above_one;
+/// For any positive x, the spectral radius lies between the least and the largest of (M x)_s / x_s
+/// (Collatz and Wielandt). `error`: of the entries, relative; the sum of a row adds its own.
+Growth growth_by(const StepMatrix& matrix, const std::vector<int>& sets,
+                 const std::vector<double>& x, double error) {
+    bool below = true;
+    bool above = true;
+    for (const int s : sets) {
+        const double terms = static_cast<double>(matrix.first[s + 1] - matrix.first[s]);
+        const double margin = error + (terms + 8) * unit;
+        const double image = row_times(matrix, s, x);
+        below = below && image < (1 - margin) * x[s];
+        above = above && image > (1 + margin) * x[s];
     }
+    return below ? Growth::below_one : above ? Growth::above_one : Growth::unclear;
+}
+
+/// `x` and `before` are scratch space, one number for each follow set; x is 1 on `sets`.
+Growth growth_in(const StepMatrix& matrix, const std::vector<int>& sets, double error,
+                 std::vector<double>& x, std::vector<double>& before) {
+    Growth found = growth_by(matrix, sets, x, error);
+    if (sets.size() == 1 || found != Growth::unclear) return found;
+    constexpr double settled = 1e-14;
     for (int n = sweeps_for(matrix, sets); n > 0; --n) {
         for (const int s : sets) before[s] = x[s];
         sweep(matrix, sets, x);
@@ -68,12 +83,15 @@ Growth growth_in(const StepMatrix& matrix, const std::vector<int>& sets, std::ve
             most = std::max(most, ratio);
             largest = std::max(largest, x[s]);
         }
-        if (most < 1 - certain) return Growth::below_one;
-        if (least > 1 + certain) return Growth::above_one;
-        if (!(largest < std::numeric_limits<double>::infinity())) return Growth::above_one;
+        if (!(largest < std::numeric_limits<double>::infinity())) break;
         for (const int s : sets) x[s] = std::max(x[s] / largest, tiny);
+        if (most < 1 || least > 1 || most - least < settled) {
+            found = growth_by(matrix, sets, x, error);
+            if (found != Growth::unclear) return found;
+        }
+        if (most - least < settled) break;
     }
-    return Growth::unclear;
+    return growth_by_elimination(matrix, sets, error);
 }
 
 double radius_in(const StepMatrix& matrix, const std::vector<int>& sets, std::vector<double>& x,
@@ -134,12 +152,22 @@ std::vector<std::vector<int>> cyclic_components(const Rifs& rifs) {
     return members;
 }
 
-Growth growth(const StepMatrix& matrix, const std::vector<std::vector<int>>& components) {
+bool branches(const Rifs& rifs) {
+    const std::vector<int> component = set_components(rifs);
+    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
+        const auto stays = [&](int m) { return component[rifs.follow_of[m]] == component[s]; };
+        if (std::ranges::count_if(rifs.follow_sets[s].maps, stays) > 1) return true;
+    }
+    return false;
+}
+
+Growth growth(const StepMatrix& matrix, const std::vector<std::vector<int>>& components,
+              double error) {
     Growth result = Growth::below_one;
     std::vector<double> x(matrix.first.size(), 1);
     std::vector<double> scratch(x.size(), 0);
     for (const std::vector<int>& sets : components) {
-        const Growth here = growth_in(matrix, sets, x, scratch);
+        const Growth here = growth_in(matrix, sets, error, x, scratch);
         if (here == Growth::above_one) return here;
         if (here == Growth::unclear) result = here;
     }
@@ -158,9 +186,6 @@ double spectral_radius(const StepMatrix& matrix, const std::vector<std::vector<i
 
 Interval critical_exponent(const std::function<Growth(double)>& growth_at) {
     Interval known{0, 1};
-    // Without branching the growth at 0 is 1, not more: rounding must not make that a dimension.
-    constexpr double almost_zero = 1e-12;
-    if (growth_at(almost_zero) == Growth::below_one) return {0, 0};
     while (growth_at(known.high) != Growth::below_one) {
         if (known.high > largest_exponent) {
             return {known.low, std::numeric_limits<double>::infinity()};

@@ -24,11 +24,20 @@ struct StepMatrix {
 /// Follow sets by strongly connected component, without those that no cycle passes.
 [[nodiscard]] std::vector<std::vector<int>> cyclic_components(const Rifs& rifs);
 
+/// Whether a component of the graph has a set with two maps that stay in it. If none has, words
+/// stay as few as they are, and every dimension is 0.
+[[nodiscard]] bool branches(const Rifs& rifs);
+
 enum class Growth { below_one, above_one, unclear };
 
-/// Is the spectral radius below 1? Both answers are certain up to rounding; `above_one` includes 1.
+/// The numbers of a scene are rounded, and so is what single maps' constants are computed from.
+inline constexpr double scene_error = 1e-12;
+
+/// Is the spectral radius below or above 1? Both are proven for all matrices whose entries differ
+/// from those given by a factor of at most 1 + error or 1 - error.
 [[nodiscard]] Growth growth(const StepMatrix& matrix,
-                            const std::vector<std::vector<int>>& components);
+                            const std::vector<std::vector<int>>& components,
+                            double error = scene_error);
 
 /// The spectral radius, estimated.
 [[nodiscard]] double spectral_radius(const StepMatrix& matrix,
@@ -43,7 +52,7 @@ struct Interval {
 };
 
 /// The d >= 0 at which the growth falls below 1, as near as it can be told. `growth_at` falls with
-/// d. Precondition: it is below 1 for some d.
+/// d. Preconditions: it is below 1 for some d, and the system branches.
 [[nodiscard]] Interval critical_exponent(const std::function<Growth(double)>& growth_at);
 
 }  // namespace pxm::host

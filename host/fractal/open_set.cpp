@@ -10,17 +10,21 @@
 #include <map>
 #include <optional>
 
+#include "host/fractal/affine_hull.hpp"
 #include "host/fractal/bounds.hpp"
 #include "host/fractal/convex_hull.hpp"
+#include "host/fractal/graph_facts.hpp"
 #include "host/fractal/growth.hpp"
 #include "host/fractal/inner_points.hpp"
+#include "host/fractal/neighbours.hpp"
+#include "host/fractal/similarity.hpp"
 #include "host/fractal/word_sums.hpp"
 
 namespace pxm::host {
 
 namespace {
 
-constexpr double rounding = 1e-9;    // of the attractor's size: lengths that are not told from 0
+constexpr double rounding = 1e-11;   // of the attractor's size: lengths that are not told from 0
 constexpr double thickness = 0.25;   // of the size: given to open sets around flat attractors
 constexpr long pair_limit = 50'000;  // pairs of maps that may come at one place
 constexpr long edge_limit = 5'000;
@@ -219,33 +223,90 @@ Hulls attractor_boxes(const Rifs& rifs, const std::vector<Points>& inner, double
     return hulls;
 }
 
-}  // namespace
+std::string names_of(const Rifs& rifs, const std::vector<int>& word) {
+    std::string names;
+    for (const int m : word) names += (names.empty() ? "" : " ") + rifs.map_names[m];
+    return names;
+}
 
-OpenSetFinding decide_open_set(const Rifs& rifs) {
-    const std::vector<Points> inner = inner_points(rifs);
-    const double size = size_of(inner);
-    if (rifs.maps.size() == 1) return {OpenSetCondition::holds, "there is only one map"};
-    if (!(size > 0)) return {OpenSetCondition::unknown, "the attractor is one point"};
-    if (const auto words = coinciding_words(rifs, size)) return {OpenSetCondition::fails, *words};
-    if (volume_grows(rifs)) {
-        return {OpenSetCondition::fails,
-                "the maps' determinants add up to more than 1: bounded images would overlap"};
+std::string coincidence(const Rifs& rifs, const NeighbourFinding& found) {
+    if (found.first.size() == 1 && found.second.size() == 1) {
+        return fmt::format("{} and {} are the same", spoken_name(rifs, found.first[0]),
+                           spoken_name(rifs, found.second[0]));
     }
+    return fmt::format("the words {} and {} are the same map", names_of(rifs, found.first),
+                       names_of(rifs, found.second));
+}
+
+/// Why there can be no open sets, if that is known.
+std::optional<std::string> obstacle(const Rifs& rifs, const NeighbourFinding& neighbours,
+                                    double size) {
+    if (neighbours.kind == Neighbours::overlap) return coincidence(rifs, neighbours);
+    if (neighbours.kind == Neighbours::unknown) {
+        if (auto words = coinciding_words(rifs, size)) return words;
+    }
+    if (volume_grows(rifs)) {
+        return "the maps' determinants add up to more than 1: bounded images would overlap";
+    }
+    const int dimension = recurrent_dimension(rifs, affine_hulls(rifs));
+    const auto similarity = similarity_dimension(rifs);
+    if (similarity && dimension > 0 && similarity->low > dimension * (1 + rounding)) {
+        return fmt::format("the similarity dimension is more than the {} of the {} it lies in",
+                           dimension, hull_name(dimension));
+    }
+    return std::nullopt;
+}
+
+/// An open set, if one is known.
+std::optional<std::string> open_set(const Rifs& rifs, const NeighbourFinding& neighbours,
+                                    double size) {
+    if (neighbours.kind == Neighbours::apart) {
+        return "the images are disjoint, so that a little around the attractor is such a set";
+    }
+    const std::vector<Points> inner = inner_points(rifs);
+    const double tolerance = rounding * size;
+    // Boxes first: they take less time.
+    if (is_feasible(rifs, attractor_boxes(rifs, inner, size), tolerance)) {
+        return "the inside of the attractor's box is such a set";
+    }
+    if (is_feasible(rifs, attractor_hulls(rifs, inner, size), tolerance)) {
+        return "the inside of the attractor's convex hull is such a set";
+    }
+    if (neighbours.kind == Neighbours::finite && similarity_dimension(rifs)) {
+        return fmt::format("pieces touch in {} ways, and no two are the same [BG92]",
+                           neighbours.count);
+    }
+    return std::nullopt;
+}
+
+/// Precondition: every set of the system recurs.
+OpenSetFinding decide(const Rifs& rifs, const std::vector<Bounds>& bounds) {
+    const double size = size_of(inner_points(rifs));
+    if (!(size > 0)) return {OpenSetCondition::unknown, "the attractor is one point"};
+    const NeighbourFinding neighbours = find_neighbours(rifs, bounds);
+    if (auto why = obstacle(rifs, neighbours, size)) return {OpenSetCondition::fails, *why};
     if (pairs_of(rifs) > pair_limit || edges_of(rifs) > edge_limit) {
         return {OpenSetCondition::unknown,
                 fmt::format("not tried: over the limits of {} pairs of maps and {} edges",
                             pair_limit, edge_limit)};
     }
-    const double tolerance = rounding * size;
-    // Boxes first: they take less time.
-    if (is_feasible(rifs, attractor_boxes(rifs, inner, size), tolerance)) {
-        return {OpenSetCondition::holds, "the inside of the attractor's box is such a set"};
-    }
-    if (is_feasible(rifs, attractor_hulls(rifs, inner, size), tolerance)) {
-        return {OpenSetCondition::holds, "the inside of the attractor's convex hull is such a set"};
-    }
+    if (auto why = open_set(rifs, neighbours, size)) return {OpenSetCondition::holds, *why};
     return {OpenSetCondition::unknown,
-            "neither the inside of the box nor that of the convex hull is such a set"};
+            "neither the inside of the box nor that of the convex hull is such a set, and there "
+            "are too many ways for pieces to touch"};
+}
+
+}  // namespace
+
+OpenSetFinding decide_open_set(const Rifs& rifs, const std::vector<Bounds>& bounds) {
+    if (rifs.maps.size() == 1) return {OpenSetCondition::holds, "there is only one map"};
+    if (!branches(rifs)) {
+        return {OpenSetCondition::holds, "no map has two that may follow for ever"};
+    }
+    const RecurrentPart part = recurrent_part(rifs);
+    std::vector<Bounds> of_part;
+    for (const int s : part.sets) of_part.push_back(bounds[s]);
+    return decide(part.rifs, of_part);
 }
 
 }  // namespace pxm::host

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "host/fractal/growth.hpp"
 #include "host/fractal/rifs.hpp"
@@ -12,5 +13,9 @@ namespace pxm::host {
 /// Nothing unless every map is a similitude. Precondition: the system contracts, and every follow
 /// set is reached from the start.
 [[nodiscard]] std::optional<Interval> similarity_dimension(const Rifs& rifs);
+
+/// The same for any ratios of the maps, known up to a relative `error`.
+[[nodiscard]] Interval exponent_of_ratios(const Rifs& rifs, const std::vector<double>& log_ratio,
+                                          double error);
 
 }  // namespace pxm::host

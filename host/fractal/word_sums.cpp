@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -35,28 +36,68 @@ double norm(const glm::dmat3& t) {
     return std::sqrt(std::max(mean + 2 * spread * std::cos(angle / 3), 0.0));
 }
 
-/// What a linear map does to areas: its cofactor matrix. The norm is a1 a2, and the matrix of a
-/// product is the product of the matrices.
-glm::dmat3 cofactors(const glm::dmat3& t) {
-    return {glm::cross(t[1], t[2]), glm::cross(t[2], t[0]), glm::cross(t[0], t[1])};
+constexpr double unit = std::numeric_limits<double>::epsilon();
+
+double largest_entry(const glm::dmat3& t) {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) largest = std::max(largest, std::abs(t[i][j]));
+    }
+    return largest;
 }
 
-/// A matrix times exp(log), so that products of many do not underflow.
+glm::dmat3 absolute(const glm::dmat3& t) {
+    return {glm::abs(t[0]), glm::abs(t[1]), glm::abs(t[2])};
+}
+
+/// A matrix times exp(log), so that products of many do not underflow, and how far its entries may
+/// be off by rounding. What is exactly 0 stays so.
 struct Scaled {
     glm::dmat3 matrix{1.0};
+    glm::dmat3 error{0.0};
     double log = 0;
 
     [[nodiscard]] double log_norm() const { return log + std::log(norm(matrix)); }
+    [[nodiscard]] double log_norm_above() const {
+        constexpr double norm_error = 64 * unit;
+        const double size = norm(matrix) * (1 + norm_error) + 3 * largest_entry(error);
+        return size > 0 ? log + std::log(size) + 64 * unit * (1 + std::abs(log)) : zero_log;
+    }
 };
 
+/// Its largest entry becomes 1.
+Scaled normalized(Scaled x) {
+    const double size = largest_entry(x.matrix);
+    if (!(size > 0) || !std::isfinite(size)) return x;
+    x.matrix /= size;
+    x.error = x.error * ((1 + 2 * unit) / size) + absolute(x.matrix) * unit;
+    x.log += std::log(size);
+    return x;
+}
+
 Scaled product(const Scaled& inner, const Scaled& outer) {
-    Scaled result{outer.matrix * inner.matrix, outer.log + inner.log};
-    const double size = norm(result.matrix);
-    if (size > 0 && std::isfinite(size)) {
-        result.matrix /= size;
-        result.log += std::log(size);
-    }
-    return result;
+    const glm::dmat3 in = absolute(inner.matrix);
+    const glm::dmat3 out = absolute(outer.matrix);
+    const glm::dmat3 error =
+        (out * inner.error + outer.error * (in + inner.error)) * (1 + 16 * unit) +
+        out * in * (4 * unit);
+    return normalized({outer.matrix * inner.matrix, error, outer.log + inner.log});
+}
+
+/// What a linear map does to areas: its cofactor matrix. The norm is a1 a2, and the matrix of a
+/// product is the product of the matrices.
+Scaled areas_of(const Scaled& lengths) {
+    const glm::dmat3& t = lengths.matrix;
+    const auto products = [&](int a, int b) {  // the sums of what cross() subtracts
+        const glm::dvec3 x = glm::abs(t[a]);
+        const glm::dvec3 y = glm::abs(t[b]);
+        return glm::dvec3{x.y * y.z + x.z * y.y, x.z * y.x + x.x * y.z, x.x * y.y + x.y * y.x};
+    };
+    const glm::dmat3 error =
+        glm::dmat3{products(1, 2), products(2, 0), products(0, 1)} * (8 * unit);
+    return normalized({{glm::cross(t[1], t[2]), glm::cross(t[2], t[0]), glm::cross(t[0], t[1])},
+                       error,
+                       2 * lengths.log});
 }
 
 /// What a word does to lengths, areas and volumes.
@@ -64,15 +105,34 @@ struct Composed {
     Scaled lengths;
     Scaled areas;
     double log_volume = 0;
+    double log_volume_above = 0;
 
     [[nodiscard]] LogStretch stretch() const {
         return {lengths.log_norm(), areas.log_norm(), log_volume};
     }
+    [[nodiscard]] LogStretch stretch_above() const {
+        return {lengths.log_norm_above(), areas.log_norm_above(), log_volume_above};
+    }
+    [[nodiscard]] Composed after(const Composed& outer) const {
+        return {product(lengths, outer.lengths), product(areas, outer.areas),
+                log_volume + outer.log_volume, log_volume_above + outer.log_volume_above};
+    }
 };
 
 Composed single(const Affine& map) {
-    return {product({}, {map.linear, 0}), product({}, {cofactors(map.linear), 0}),
-            std::log(std::abs(determinant(map)))};
+    const Scaled lengths = normalized({map.linear, glm::dmat3{0.0}, 0});
+    const glm::dmat3& t = lengths.matrix;
+    const double volume = std::abs(glm::dot(t[0], glm::cross(t[1], t[2])));
+    // The six products that it is made of, each rounded a few times.
+    const glm::dvec3 x = glm::abs(t[1]);
+    const glm::dvec3 y = glm::abs(t[2]);
+    const double error =
+        32 * unit *
+        glm::dot(glm::abs(t[0]),
+                 glm::dvec3{x.y * y.z + x.z * y.y, x.z * y.x + x.x * y.z, x.x * y.y + x.y * y.x});
+    const double log = 3 * lengths.log;
+    return {lengths, areas_of(lengths), log + std::log(volume),
+            log + std::log(volume + error) + 64 * unit * (1 + std::abs(log))};
 }
 
 /// Depth first over the words, with the component they must stay in.
@@ -98,15 +158,12 @@ class WordWalk {
     void extend(int last, const Composed& word, int length) {
         const int set = rifs_.follow_of[last];
         if (length == length_) {
-            table_.words.push_back({first_, set, word.stretch()});
+            table_.words.push_back({first_, set, word.stretch(), word.stretch_above()});
             return;
         }
         for (const int m : rifs_.follow_sets[set].maps) {
             if (component_[rifs_.follow_of[m]] != component_[set]) continue;
-            extend(m,
-                   {product(single_[m].lengths, word.lengths),
-                    product(single_[m].areas, word.areas), word.log_volume + single_[m].log_volume},
-                   length + 1);
+            extend(m, single_[m].after(word), length + 1);
         }
     }
 
@@ -166,9 +223,9 @@ StepMatrix sums(const Rifs& rifs, const Each& each) {
 
 LogStretch log_stretch(const Affine& map) { return single(map).stretch(); }
 
-double log_singular_value_function(const LogStretch& stretch, double d) {
+double log_singular_value_function(const LogStretch& stretch, double d, int n) {
     if (d <= 0) return 0;
-    if (d > 3) return d / 3 * stretch[2];  // Eq. 6.13
+    if (d > n) return d / n * stretch[n - 1];  // Eq. 6.13
     const int m = static_cast<int>(std::ceil(d));
     const double above = m > 1 ? stretch[m - 2] : 0;
     const double share = d - (m - 1);
@@ -205,11 +262,12 @@ int affordable_length(const Rifs& rifs, int longest, double budget) {
     return longest;
 }
 
-StepMatrix word_sums(const Rifs& rifs, const WordTable& table, double d) {
+StepMatrix word_sums(const Rifs& rifs, const WordTable& table, double d, int n, Rounding rounding) {
     std::vector<double> phi;
     phi.reserve(table.words.size());
     for (const WordStretch& word : table.words) {
-        phi.push_back(std::exp(log_singular_value_function(word.stretch, d)));
+        const LogStretch& stretch = rounding == Rounding::above ? word.above : word.stretch;
+        phi.push_back(std::exp(log_singular_value_function(stretch, d, n)));
     }
     return sums(rifs, [&](int m, const auto& add) {
         for (std::size_t w = table.first_word[m]; w < table.first_word[m + 1]; ++w) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "host/fractal/affine_hull.hpp"
 #include "host/fractal/inner_points.hpp"
 #include "host/fractal/proven_rifs.hpp"
 #include "host/fractal/rifs.hpp"
@@ -106,9 +107,12 @@ std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnost
     }
     facts.bounds = bound(facts.rifs, facts.contraction);
     const std::vector<Bounds> bounds = bounds_of_part(facts.rifs, facts.bounds, part);
-    facts.open_set = decide_open_set(part);
-    facts.dimensions = dimensions(part, bounds, facts.open_set.condition);
-    facts.disconnected = decide_disconnected(part, bounds, facts.dimensions.affinity.upper);
+    const Rifs plain = as_similitudes(part, affine_hulls(part));
+    facts.open_set = decide_open_set(plain, bounds);
+    facts.dimensions = dimensions(plain, facts.open_set.condition);
+    facts.dimensions.box_counting = count_boxes(plain, bounds);
+    facts.disconnected = decide_disconnected(plain, bounds, facts.dimensions.upper);
+    add_topology(facts.dimensions, facts.disconnected.totally_disconnected);
     return facts;
 }
 

@@ -139,6 +139,9 @@ Json dimension_json(const Dimensions& found) {
     }
     json["box_counting_points"] = boxes.points;
     json["box_counting_method"] = boxes.method;
+    json["hull"] = found.hull;
+    json["upper"] = number_json(found.upper);
+    json["exact"] = found.exact ? Json(*found.exact) : Json(nullptr);
     json["meaning"] = found.meaning;
     return json;
 }

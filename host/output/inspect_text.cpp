@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/fractal/six_digits.hpp"
 #include "host/output/inspect_names.hpp"
 #include "pxm/model.hpp"
 
@@ -115,15 +116,23 @@ void add_volumes(const IfsFacts& ifs, std::string& text) {
              point(without_margin(all.box.high, size)));
 }
 
+std::string similarity_text(const std::optional<Interval>& similarity) {
+    if (!similarity) return "none: not every map is a similitude";
+    constexpr double wide = 1e-6;
+    if (similarity->error() > wide * std::max(1.0, similarity->high)) {
+        return fmt::format("between {} and {}", number(similarity->low),
+                           six_digits_above(similarity->high));
+    }
+    return number(similarity->middle());
+}
+
 void add_dimensions(const Dimensions& found, std::string& text) {
-    line(text, "similarity",
-         found.similarity ? number(found.similarity->middle())
-                          : "none: not every map is a similitude");
+    line(text, "similarity", similarity_text(found.similarity));
     const Affinity& affinity = found.affinity;
     line(text, "affinity",
          affinity.exact ? fmt::format("{} ({})", number(affinity.value), affinity.why)
                         : fmt::format("{}, at most {} ({})", number(affinity.value),
-                                      number(affinity.upper), affinity.why));
+                                      six_digits_above(affinity.upper), affinity.why));
     const BoxCounting& boxes = found.box_counting;
     line(text, "box counting",
          boxes.dimension ? fmt::format("{:.3f} +- {:.3f} ({} scales; {})", *boxes.dimension,

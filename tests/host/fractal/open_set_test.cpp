@@ -15,7 +15,9 @@ using systems::complete;
 using systems::homotheties;
 using systems::map;
 
-OpenSetCondition open_set(const Rifs& rifs) { return decide_open_set(rifs).condition; }
+OpenSetCondition open_set(const Rifs& rifs) {
+    return decide_open_set(rifs, bound(rifs, prove_contraction(rifs))).condition;
+}
 
 std::optional<bool> disconnected(const Rifs& rifs, double affinity_upper = 3) {
     const auto bounds = bound(rifs, prove_contraction(rifs));
