@@ -44,7 +44,8 @@ const Rule library_rules[] = {
     {R"(#include\s*<Eigen/)", "host/(fractal|import)/.*", "Eigen"},
     {R"(#include\s*<omp\.h>)", "host/(render|wide)/.*", "OpenMP"},
     {R"(#include\s*<hwy/)", "host/wide/.*", "Highway"},
-    {R"(#include\s*<boost/multiprecision/)", "host/render/precise\\.hpp", "Boost.Multiprecision"},
+    {R"(#include\s*<boost/multiprecision/)", "host/(render/precise|import/long_number)\\.hpp",
+     "Boost.Multiprecision"},
 };
 
 // What a node does not have: streams, threads, an allocator, exceptions.

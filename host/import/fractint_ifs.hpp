@@ -1,6 +1,7 @@
 // FRACTINT's .ifs files: affine maps by numbers (docs/import.md).
 //   name { a b c d e f p ... }       x' = a x + b y + e, y' = c x + d y + f
 //   name (3D) { 9 numbers by rows, 3 of translation, p ... }
+// The oldest files hold the numbers of one system and nothing else.
 #pragma once
 
 #include <string>
@@ -13,8 +14,9 @@
 namespace pxm::host {
 
 struct FractintIfs {
-    FractintEntry entry;
+    FractintEntry entry;           // its name is empty where a file holds numbers alone
     bool flat = true;              // 7 numbers a map, else 13
+    bool weighted = true;          // else every line is a map without its probability
     std::vector<double> numbers;   // a whole number of maps, if there were no errors
     std::vector<Position> places;  // of the numbers
 };

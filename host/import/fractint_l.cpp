@@ -151,6 +151,10 @@ std::vector<FractintL> parse_fractint_l(std::string_view text, Diagnostics& diag
     FractintReader reader(text);
     for (reader.skip_blanks(); !reader.at_end() && !diagnostics.full(); reader.skip_blanks()) {
         FractintL l;
+        if (reader.peek() == '{') {  // a block without a name
+            reader.skip_comment_entry();
+            continue;
+        }
         if (!reader.head(l.entry, diagnostics)) {
             if (reader.peek() == '}') reader.take();
             continue;

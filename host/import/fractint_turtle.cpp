@@ -27,15 +27,16 @@ class WordCompiler {
         l_.entry.diagnostics.error(word_.places[place], message);
     }
     void add(TurtleOp op, double value = 0, char symbol = 0) {
-        commands_.push_back({op, symbol, value});
+        commands_.push_back({op, symbol, value, {}});
     }
 
     void command(char c) {
         const std::size_t start = place_++;
-        if (c == '+' || c == '-') return add(TurtleOp::turn, (c == '+' ? 1 : -1) * step(start));
+        if (c == '+' || c == '-') return turn(c == '+' ? 1 : -1, start);
         if (c == '\\' || c == '/')
-            return add(TurtleOp::turn, (c == '\\' ? 1 : -1) * number(start, "degrees"));
-        if (c == '|') return round(start);
+            return add(TurtleOp::turn_degrees,
+                       (c == '\\' ? 1 : -1) * number(start, "degrees").value);
+        if (c == '|') return round();
         if (c == '!') return add(TurtleOp::flip);
         if (c == '@') return step_factor(start);
         if (c == '[' || c == ']') return bracket(c, start);
@@ -44,19 +45,18 @@ class WordCompiler {
         add(TurtleOp::symbol, 0, c);
     }
 
-    double step(std::size_t start) {
+    void turn(int steps, std::size_t start) {
         if (!l_.angle) error(start, "a turn, but the entry has no 'Angle'");
-        return 360 / l_.angle.value_or(1);
+        add(TurtleOp::turn, steps);
     }
 
     /// With an odd angle number the largest turn below 180 degrees, to the right.
-    void round(std::size_t start) {
+    void round() {
         const double n = l_.angle.value_or(2);
         const double steps = std::floor(n / 2);
-        if (2 * steps == n) return add(TurtleOp::round, 180);
-        (void)start;
+        if (2 * steps == n) return add(TurtleOp::round, steps);
         uneven_round_ = true;
-        add(TurtleOp::round, -steps * 360 / n);
+        add(TurtleOp::round, -steps);
     }
 
     void bracket(char c, std::size_t start) {
@@ -74,17 +74,23 @@ class WordCompiler {
         while (place_ < word_.text.size() && is_digit(word_.text[place_])) ++place_;
     }
 
-    double number(std::size_t start, std::string_view what) {
+    struct Number {
+        double value = 0;
+        std::string decimal;  // as it is written
+    };
+
+    Number number(std::size_t start, std::string_view what) {
         const std::size_t begin = place_;
         skip_digits();
         if (place_ < word_.text.size() && word_.text[place_] == '.') {
             ++place_;
             skip_digits();
         }
-        double value = 0;
-        if (!read_number(std::string_view(word_.text).substr(begin, place_ - begin), value))
+        Number number;
+        number.decimal = word_.text.substr(begin, place_ - begin);
+        if (!read_number(number.decimal, number.value))
             error(start, fmt::format("'{}' needs a number: {}", word_.text[start], what));
-        return value;
+        return number;
     }
 
     /// @n, @In, @Qn, @IQn: inverse, square root.
@@ -100,13 +106,9 @@ class WordCompiler {
                 break;
             }
         }
-        double factor = number(start, "the factor of the step");
-        if (!(factor > 0)) {
-            error(start, "the factor of the step must be greater than 0");
-            factor = 1;
-        }
-        if (root) factor = std::sqrt(factor);
-        add(TurtleOp::step, inverse ? 1 / factor : factor);
+        const Number factor = number(start, "the factor of the step");
+        if (!(factor.value > 0)) error(start, "the factor of the step must be greater than 0");
+        commands_.push_back({TurtleOp::step, 0, 0, {factor.decimal, inverse, root}});
     }
 
     FractintL& l_;
@@ -122,7 +124,7 @@ class WordCompiler {
 Lsystem lsystem_of(FractintL& l) {
     Lsystem lsystem;
     lsystem.name = l.entry.name;
-    lsystem.step_degrees = l.angle ? 360 / *l.angle : 0;
+    lsystem.steps_a_turn = l.angle.value_or(2);
     bool uneven_round = false;
     bool flips = false;
     const auto compiled = [&](const FractintWord& word) {

@@ -13,6 +13,8 @@
 #include "host/import/moment_search.hpp"
 #include "host/import/picture.hpp"
 #include "host/output/image.hpp"
+#include "host/render/compile.hpp"
+#include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
 #include "host/scene/printable.hpp"
 
@@ -56,10 +58,27 @@ std::string file_name(const std::string& path) {
     return printable(std::filesystem::path(path).filename().string(), longest_name);
 }
 
+std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+/// What is written can be read again and compiled: numbers that only overflow on the way there are
+/// found here, and not by whoever renders the scene.
+void require_valid(const Imported& imported) {
+    Diagnostics diagnostics;
+    const std::string name = imported.name + ".pxm";
+    const Scene scene = parse_text(name, imported.text, diagnostics);
+    if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
+    if (!diagnostics.has_errors()) (void)compile(scene, 1, diagnostics);
+    if (!diagnostics.has_errors()) return;
+    throw Error(ExitCode::scene,
+                fmt::format("\"{}\" has no scene that pxm takes:\n{}", printable(imported.name),
+                            diagnostics.text(scene.files)));
+}
+
 Imported finished(Scene scene, const std::string& heading) {
     Imported imported;
     imported.name = scene.ifs[0].name;
     imported.text = imported_text(scene, heading + "\nimported by pxm " PXM_VERSION);
+    require_valid(imported);
     imported.scene = std::move(scene);
     return imported;
 }
@@ -68,6 +87,8 @@ Imported import_ifs(const SourceFile& source, const std::optional<std::string>& 
     Diagnostics diagnostics;
     auto list = parse_fractint_ifs(source.text, diagnostics);
     diagnostics.throw_if_errors({source});
+    for (FractintIfs& bare : list)
+        if (bare.entry.name.empty()) bare.entry.name = stem_of(source.name);
     const FractintIfs& ifs = choose_entry(list, source.name, wanted);
     ifs.entry.diagnostics.throw_if_errors({source});
     Scene scene = imported_scene(fractint_maps(ifs), ifs.entry.name,
@@ -135,7 +156,7 @@ Imported import_picture(const ImportRequest& request, const Picture& picture) {
         result.maps.size(), result.order, result.restarts, request.seed,
         result.out_of_time ? ", stopped by its time" : "", result.residual, result.collage_distance,
         result.bound, result.size, result.cell);
-    const std::string name = std::filesystem::path(request.path).stem().string();
+    const std::string name = stem_of(request.path);
     Scene scene = imported_scene(block_of(result), name, Space::plane, {request.path, ""});
     Imported imported = finished(std::move(scene), fmt::format("{}: {}\n{}", scene_name(name),
                                                                file_name(request.path), found));

@@ -26,6 +26,11 @@ double power_of_ten_below(double value) { return std::pow(10, std::floor(std::lo
 /// A number that prints short: units are powers of ten, so text is the way to the nearest double.
 Decimal decimal(double value) { return {std::stod(fmt::format("{:.6g}", value)), {}}; }
 
+bool is_finite(const Box& box) {
+    const glm::dvec3 extent = box.high - box.low;
+    return std::isfinite(extent.x) && std::isfinite(extent.y) && std::isfinite(extent.z);
+}
+
 /// Facing the plane z = 0 from the front, x to the right and y up.
 void face_plane(const Box& box, Scene& scene) {
     const PixelSize size;
@@ -116,7 +121,14 @@ Scene imported_scene(IfsBlock maps, const std::string& name, Space space,
     }
     if (space == Space::plane) {
         const auto bounds = bound(rifs, contraction);
-        face_plane(bounds[static_cast<std::size_t>(rifs.start)].box, scene);
+        const Box& box = bounds[static_cast<std::size_t>(rifs.start)].box;
+        if (!is_finite(box)) {
+            diagnostics.error(place, fmt::format("\"{}\" has no view: its points lie so far from "
+                                                 "the origin that they could not be bounded",
+                                                 printable(name)));
+            diagnostics.throw_if_errors({source});
+        }
+        face_plane(box, scene);
         show_curves(rifs, scene);
     }
     return scene;

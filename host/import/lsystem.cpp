@@ -32,8 +32,9 @@ class SystemBuilder {
         system_.growth = growth_.factor;
         for (std::size_t phase = 0; phase < periods(); ++phase)
             for (std::size_t s = 0; s < symbols(); ++s) add_kind(s, phase);
-        for (const Occurrence& o : occurrences(grammar_.axiom, grammar_.step_degrees, phase(0)))
+        for (const Occurrence& o : occurrences(grammar_.axiom, grammar_.compass, phase(0)))
             system_.start.push_back({similarity(o, 1.0), o.symbol});
+        open_rigid_cycles();
         drop_empty_kinds();
         if (system_.start.empty())
             throw Error(ExitCode::scene,
@@ -50,9 +51,10 @@ class SystemBuilder {
     [[nodiscard]] std::size_t symbols() const { return grammar_.rules.size(); }
     [[nodiscard]] const Level& phase(std::size_t k) const { return growth_.phases[k]; }
 
-    static Similarity similarity(const Occurrence& o, Complex growth) {
-        const double radians = o.turn.degrees * std::numbers::pi / 180;
-        return {std::polar(o.turn.step, radians) / growth, o.turn.flip, o.place / growth};
+    [[nodiscard]] Similarity similarity(const Occurrence& o, Complex growth) const {
+        const double radians = grammar_.compass.degrees(o.turn.direction) * std::numbers::pi / 180;
+        const auto step = o.turn.step.convert_to<double>();
+        return {std::polar(step, radians) / growth, o.turn.flip, o.place / growth};
     }
 
     void add_kind(std::size_t s, std::size_t k) {
@@ -61,10 +63,10 @@ class SystemBuilder {
         if (periods() > 1) kind.name += fmt::format("{}", static_cast<char>('a' + k));
         const std::size_t before = (k + periods() - 1) % periods();
         if (phase(k).drawn[s] && rule.constant) {
-            constant(kind, static_cast<int>(k * symbols() + s), phase(k).displacement[s]);
+            constant(kind, static_cast<int>(k * symbols() + s));
         } else if (phase(k).drawn[s]) {
             for (const Occurrence& o :
-                 occurrences(rule.commands, grammar_.step_degrees, phase(before))) {
+                 occurrences(rule.commands, grammar_.compass, phase(before))) {
                 if (!phase(before).drawn[static_cast<std::size_t>(o.symbol)]) continue;
                 const int inside = static_cast<int>(before * symbols()) + o.symbol;
                 kind.maps.push_back({similarity(o, growth_.factor), inside});
@@ -77,11 +79,40 @@ class SystemBuilder {
         system_.kinds.push_back(std::move(kind));
     }
 
-    /// A stroke that no rule changes: a segment, its own two halves, if lengths do not grow; else
-    /// it shrinks to a point of its neighbours and is left out.
-    void constant(EdgeKind& kind, int self, Complex edge) const {
+    /// A stroke that no rule changes is its own image if lengths do not grow; else it shrinks to a
+    /// point of its neighbours and is left out.
+    void constant(EdgeKind& kind, int self) const {
         if (std::abs(growth_.factor) > 1 + 1e-9) return;
-        kind.maps = {{{0.5, false, 0.0}, self}, {{0.5, false, edge / 2.0}, self}};
+        kind.maps = {{{}, self}};
+    }
+
+    /// A stroke that is drawn again at the next level just as long as everything else has grown, by
+    /// itself or by way of other symbols, stays the segment that it is: its own two halves.
+    void open_rigid_cycles() {
+        for (std::size_t kind = 0; kind < system_.kinds.size(); ++kind) {
+            const Complex edge = to_double(phase(kind / symbols()).displacement[kind % symbols()]);
+            if (edge == 0.0 || !is_its_own_image(kind, std::abs(edge))) continue;
+            const int self = static_cast<int>(kind);
+            system_.kinds[kind].maps = {{{0.5, false, 0.0}, self},
+                                        {{0.5, false, edge / 2.0}, self}};
+        }
+    }
+
+    /// Whether a kind's only map, and the only map inside it, and so on, lead back to it unmoved.
+    [[nodiscard]] bool is_its_own_image(std::size_t kind, double length) const {
+        constexpr double rounding = 1e-9;
+        Similarity map;
+        std::size_t inside = kind;
+        for (std::size_t steps = 0; steps < system_.kinds.size(); ++steps) {
+            const std::vector<EdgeMap>& maps = system_.kinds[inside].maps;
+            if (maps.size() != 1) return false;
+            map = then(maps[0].map, map);
+            inside = static_cast<std::size_t>(maps[0].inside);
+            if (inside != kind) continue;
+            return !map.flip && std::abs(map.linear - 1.0) < rounding &&
+                   std::abs(map.offset) < rounding * length;
+        }
+        return false;
     }
 
     /// Kinds without a map, and maps with nothing inside, until none is left; then those that the
@@ -119,10 +150,11 @@ class SystemBuilder {
     /// The first edge gets the length 1. A picture whose direction changes from level to level has
     /// none of its own: that edge then runs from (0,0) to (1,0).
     void normalize() {
-        Complex edge = phase(0).displacement[first_symbol_];
+        constexpr double vanishes = 1e-9;  // of the longest edge: what does not grow
+        Complex edge = to_double(phase(0).displacement[first_symbol_]);
         for (const Level& level : growth_.phases)
-            for (const Complex& d : level.displacement)
-                if (std::abs(edge) == 0) edge = d;
+            for (const LongComplex& d : level.displacement)
+                if (std::abs(edge) < vanishes) edge = to_double(d);
         const bool turns = growth_.factor.imag() != 0 || growth_.factor.real() < 0;
         const Complex scale = turns && !grammar_.has_flips ? 1.0 / edge : 1.0 / std::abs(edge);
         for (EdgeMap& map : system_.start) map.map.offset *= scale;

@@ -13,19 +13,28 @@
 
 namespace pxm::host {
 
-enum class TurtleOp { symbol, turn, round, flip, step, push, pop };
+enum class TurtleOp { symbol, turn, turn_degrees, round, flip, step, push, pop };
 
-/// One command of the turtle. `turn` is to the left, in degrees; `round` is too, and is not
-/// reversed by `flip`; `step` multiplies the length of a step.
+/// What multiplies the length of a step: a decimal number, or 1 over it, or the square root of
+/// either. It is kept as it is written, since a double would round it.
+struct StepFactor {
+    std::string decimal;
+    bool inverse = false;
+    bool root = false;
+};
+
+/// One command of the turtle. `turn` is to the left, in steps of `Lsystem::steps_a_turn`, and
+/// `turn_degrees` in degrees; `round` is in steps too, and is not reversed by `flip`.
 struct TurtleCommand {
     TurtleOp op = TurtleOp::symbol;
     char symbol = 0;
     double value = 0;
+    StepFactor factor;  // of `step`
 };
 
 struct Lsystem {
     std::string name;
-    double step_degrees = 0;  // of + and -; 0 if there are none
+    double steps_a_turn = 2;  // of + and -
     std::vector<TurtleCommand> axiom;
     std::map<char, std::vector<TurtleCommand>> rules;  // a symbol without a rule stays as it is
 };

@@ -1,19 +1,21 @@
 // How the words of an L-system grow: what a symbol's drawing does to the turtle, level by level.
 #pragma once
 
-#include <array>
 #include <complex>
+#include <cstdint>
 #include <vector>
 
+#include "host/import/compass.hpp"
+#include "host/import/long_number.hpp"
 #include "host/import/lsystem.hpp"
 
 namespace pxm::host {
 
 /// What the turtle's state becomes by a symbol's drawing, the position left out.
 struct TurtleTurn {
-    double degrees = 0;
+    std::int64_t direction = 0;  // of the grammar's compass
     bool flip = false;
-    double step = 1;
+    LongReal step{1};
 };
 
 /// An occurrence of a symbol in a rule: where the turtle stands and how, when it comes to it.
@@ -34,25 +36,26 @@ struct Rule {
 struct Grammar {
     std::vector<Rule> rules;
     std::vector<TurtleCommand> axiom;
-    double step_degrees = 0;
+    Compass compass{2};
     bool has_flips = false;
+    bool has_decimals = false;  // factors or degrees, which may stand for other numbers
 };
 [[nodiscard]] Grammar grammar_of(const Lsystem& lsystem);
 
 /// What is known of every symbol at one level. Displacements are those of a turtle that starts to
-/// the right with step 1, divided by 2^exponent.
+/// the right with step 1; one that is not known from zero is zero.
 struct Level {
     std::vector<TurtleTurn> turn;
-    std::vector<std::complex<double>> displacement;
-    std::vector<char> drawn;  // something of it is drawn
-    int exponent = 0;
+    std::vector<LongComplex> displacement;
+    std::vector<long double> noise;  // no displacement is off by more
+    std::vector<char> drawn;         // something of it is drawn
 };
 [[nodiscard]] Level level_zero(const Grammar& grammar);
 [[nodiscard]] Level next_level(const Grammar& grammar, const Level& level);
 
 /// The symbols of a rule as the turtle finds them, if their drawings are those of `level`.
 [[nodiscard]] std::vector<Occurrence> occurrences(const std::vector<TurtleCommand>& commands,
-                                                  double step_degrees, const Level& level);
+                                                  const Compass& compass, const Level& level);
 
 /// Symbols whose turn and displacement move something that comes after them.
 [[nodiscard]] std::vector<char> symbols_that_matter(const Grammar& grammar);
@@ -60,7 +63,7 @@ struct Level {
 /// The levels of one period, once the rules repeat: phases[k] is level n0 + k, n0 a
 /// multiple of the period.
 struct Growth {
-    std::vector<Level> phases;         // displacements as those of a limit: see `factor`
+    std::vector<Level> phases;         // as of a limit (see `factor`), the longest of the first 1
     std::complex<double> factor{1.0};  // of all lengths from one level to the next
 };
 

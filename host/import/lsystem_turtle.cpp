@@ -2,87 +2,113 @@
 #include "host/import/lsystem_growth.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
+#include <limits>
+#include <map>
+#include <tuple>
 
 namespace pxm::host {
 namespace {
 
-using Complex = std::complex<double>;
-
 /// A turtle that walks over drawings: position, heading, mirror, step.
 struct Walker {
     TurtleTurn turn;
-    Complex place{0.0};
+    LongComplex place;
 };
 
-double normalized(double degrees, double step_degrees) {
-    double turned = std::remainder(degrees, 360.0);
-    constexpr double near = 1e-6;  // rounding of sums of turns is far below, odd turns far above
-    for (const double unit : {step_degrees, 1e-3}) {
-        if (unit <= 0) continue;
-        const double steps = std::round(turned / unit);
-        if (std::abs(turned - steps * unit) < near * unit) turned = steps * unit;
-    }
-    return turned <= -180 + near ? turned + 360 : turned;
-}
-
-Complex direction(double degrees) {
-    const double quarter = std::remainder(degrees, 90.0);
-    if (quarter == 0.0) {
-        const int quarters = (static_cast<int>(std::lround(degrees / 90.0)) % 4 + 4) % 4;
-        constexpr std::array<Complex, 4> axes{Complex{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-        return axes[static_cast<std::size_t>(quarters)];
-    }
-    return std::polar(1.0, degrees * std::numbers::pi / 180);
-}
-
 /// The turn of a drawing, done by a turtle that has turned already.
-TurtleTurn after(const TurtleTurn& turn, const TurtleTurn& drawing, double step_degrees) {
-    return {normalized(turn.degrees + (turn.flip ? -1 : 1) * drawing.degrees, step_degrees),
-            turn.flip != drawing.flip, turn.step * drawing.step};
+TurtleTurn after(const TurtleTurn& turn, const TurtleTurn& drawing, const Compass& compass) {
+    const std::int64_t turned = turn.flip ? compass.opposite(drawing.direction) : drawing.direction;
+    return {compass.sum(turn.direction, turned), turn.flip != drawing.flip,
+            drawing.step == 1 ? turn.step : LongReal(turn.step * drawing.step)};
 }
 
-template <class OnSymbol>
-Walker walk(const std::vector<TurtleCommand>& commands, double step_degrees, const Level& level,
-            const OnSymbol& on_symbol) {
-    Walker turtle;
-    std::vector<Walker> stack;
+LongReal value_of(const StepFactor& factor) {
+    LongReal value(factor.decimal);
+    if (factor.root) value = sqrt(value);
+    return factor.inverse ? LongReal(1 / value) : value;
+}
+
+/// What a command other than a symbol or a bracket does to the turtle.
+void turn_by(const TurtleCommand& command, const Compass& compass, TurtleTurn& turn) {
+    switch (command.op) {
+        case TurtleOp::turn:
+            turn = after(turn, {compass.of_steps(command.value), false, 1}, compass);
+            break;
+        case TurtleOp::turn_degrees:
+            turn = after(turn, {compass.of_degrees(command.value), false, 1}, compass);
+            break;
+        case TurtleOp::round:
+            turn.direction = compass.sum(turn.direction, compass.of_steps(command.value));
+            break;
+        case TurtleOp::flip:
+            turn.flip = !turn.flip;
+            break;
+        case TurtleOp::step:
+            turn.step *= value_of(command.factor);
+            break;
+        case TurtleOp::symbol:
+        case TurtleOp::push:
+        case TurtleOp::pop:
+            break;
+    }
+}
+
+LongComplex carried(const TurtleTurn& turn, const Compass& compass, const LongComplex& d) {
+    return turn.step * (compass.vector(turn.direction) * (turn.flip ? conj(d) : d));
+}
+
+/// A symbol as the turtle comes to it, and how often it does so in the same state.
+struct Passed {
+    int symbol = 0;
+    TurtleTurn turn;
+
+    friend bool operator<(const Passed& a, const Passed& b) {
+        return std::tie(a.symbol, a.turn.direction, a.turn.flip, a.turn.step) <
+               std::tie(b.symbol, b.turn.direction, b.turn.flip, b.turn.step);
+    }
+};
+struct Passage {
+    std::map<Passed, long> passed;
+    TurtleTurn end;
+};
+
+/// What moves the turtle from its begin to its end: brackets return to where they began.
+Passage pass(const std::vector<TurtleCommand>& commands, const Compass& compass,
+             const Level& level) {
+    Passage passage;
+    int depth = 0;
     for (const TurtleCommand& command : commands) {
-        TurtleTurn& turn = turtle.turn;
-        switch (command.op) {
-            case TurtleOp::symbol: {
-                const auto s = static_cast<std::size_t>(command.symbol);
-                on_symbol(static_cast<int>(s), turtle);
-                const Complex d = level.displacement[s];
-                turtle.place +=
-                    turn.step * direction(turn.degrees) * (turn.flip ? std::conj(d) : d);
-                turn = after(turn, level.turn[s], step_degrees);
-                break;
-            }
-            case TurtleOp::turn:
-                turn = after(turn, {command.value, false, 1}, step_degrees);
-                break;
-            case TurtleOp::round:
-                turn.degrees = normalized(turn.degrees + command.value, step_degrees);
-                break;
-            case TurtleOp::flip:
-                turn.flip = !turn.flip;
-                break;
-            case TurtleOp::step:
-                turn.step *= command.value;
-                break;
-            case TurtleOp::push:
-                stack.push_back(turtle);
-                break;
-            case TurtleOp::pop:
-                turtle = stack.back();
-                stack.pop_back();
-                break;
+        if (command.op == TurtleOp::push) ++depth;
+        if (command.op == TurtleOp::pop) --depth;
+        if (depth > 0) continue;
+        if (command.op == TurtleOp::symbol) {
+            ++passage.passed[{command.symbol, passage.end}];
+            passage.end =
+                after(passage.end, level.turn[static_cast<std::size_t>(command.symbol)], compass);
+        } else {
+            turn_by(command, compass, passage.end);
         }
     }
-    return turtle;
+    return passage;
+}
+
+/// The displacement of a passage, zero if rounding may have made all of it, and what is off by.
+void displace(const Passage& passage, const Compass& compass, const Level& level, Level& next) {
+    constexpr long double sure = 1 << 20;
+    const long double rounding =
+        64 * std::numeric_limits<LongReal>::epsilon().convert_to<long double>();
+    LongComplex sum;
+    long double noise = 0;
+    for (const auto& [passed, times] : passage.passed) {
+        const auto s = static_cast<std::size_t>(passed.symbol);
+        const LongComplex& d = level.displacement[s];
+        sum = sum + LongReal(times) * carried(passed.turn, compass, d);
+        noise += static_cast<long double>(times) * passed.turn.step.convert_to<long double>() *
+                 (level.noise[s] + rounding * size(d).convert_to<long double>());
+    }
+    const bool nothing = size(sum) <= LongReal(sure * noise);
+    next.displacement.push_back(nothing ? LongComplex{} : sum);
+    next.noise.push_back(noise);
 }
 
 }  // namespace
@@ -92,11 +118,13 @@ bool moves(char symbol) { return symbol == 'g' || symbol == 'm'; }
 
 Grammar grammar_of(const Lsystem& lsystem) {
     Grammar grammar;
-    grammar.step_degrees = lsystem.step_degrees;
+    grammar.compass = Compass(lsystem.steps_a_turn);
     std::map<char, int> index;
     const auto numbered = [&](std::vector<TurtleCommand> commands) {
         for (TurtleCommand& command : commands) {
             if (command.op == TurtleOp::flip) grammar.has_flips = true;
+            if (command.op == TurtleOp::step || command.op == TurtleOp::turn_degrees)
+                grammar.has_decimals = true;
             if (command.op != TurtleOp::symbol) continue;
             const auto [found, added] =
                 index.emplace(command.symbol, static_cast<int>(grammar.rules.size()));
@@ -109,7 +137,7 @@ Grammar grammar_of(const Lsystem& lsystem) {
     for (std::size_t s = 0; s < grammar.rules.size(); ++s) {
         const char symbol = grammar.rules[s].symbol;
         const auto rule = lsystem.rules.find(symbol);
-        const std::vector<TurtleCommand> itself{{TurtleOp::symbol, symbol, 0}};
+        const std::vector<TurtleCommand> itself{{TurtleOp::symbol, symbol, 0, {}}};
         auto commands = numbered(rule == lsystem.rules.end() ? itself : rule->second);
         const bool constant = commands.size() == 1 && commands[0].op == TurtleOp::symbol &&
                               static_cast<std::size_t>(commands[0].symbol) == s;
@@ -124,7 +152,8 @@ Level level_zero(const Grammar& grammar) {
     for (const Rule& rule : grammar.rules) {
         const bool steps = draws(rule.symbol) || moves(rule.symbol);
         level.turn.emplace_back();
-        level.displacement.emplace_back(steps ? 1.0 : 0.0);
+        level.displacement.push_back({steps ? 1 : 0, 0});
+        level.noise.push_back(0);
         level.drawn.push_back(draws(rule.symbol));
     }
     return level;
@@ -132,25 +161,38 @@ Level level_zero(const Grammar& grammar) {
 
 Level next_level(const Grammar& grammar, const Level& level) {
     Level next;
-    next.exponent = level.exponent;
     for (const Rule& rule : grammar.rules) {
-        char drawn = 0;
-        const Walker end =
-            walk(rule.commands, grammar.step_degrees, level,
-                 [&](int s, const Walker&) { drawn |= level.drawn[static_cast<std::size_t>(s)]; });
-        next.turn.push_back(end.turn);
-        next.displacement.push_back(end.place);
-        next.drawn.push_back(drawn);
+        const Passage passage = pass(rule.commands, grammar.compass, level);
+        displace(passage, grammar.compass, level, next);
+        next.turn.push_back(passage.end);
+        next.drawn.push_back(std::ranges::any_of(rule.commands, [&](const TurtleCommand& command) {
+            return command.op == TurtleOp::symbol &&
+                   level.drawn[static_cast<std::size_t>(command.symbol)];
+        }));
     }
     return next;
 }
 
-std::vector<Occurrence> occurrences(const std::vector<TurtleCommand>& commands, double step_degrees,
-                                    const Level& level) {
+std::vector<Occurrence> occurrences(const std::vector<TurtleCommand>& commands,
+                                    const Compass& compass, const Level& level) {
     std::vector<Occurrence> list;
-    walk(commands, step_degrees, level, [&](int s, const Walker& turtle) {
-        list.push_back({s, turtle.turn, turtle.place});
-    });
+    Walker turtle;
+    std::vector<Walker> stack;
+    for (const TurtleCommand& command : commands) {
+        if (command.op == TurtleOp::push) {
+            stack.push_back(turtle);
+        } else if (command.op == TurtleOp::pop) {
+            turtle = stack.back();
+            stack.pop_back();
+        } else if (command.op == TurtleOp::symbol) {
+            const auto s = static_cast<std::size_t>(command.symbol);
+            list.push_back({command.symbol, turtle.turn, to_double(turtle.place)});
+            turtle.place = turtle.place + carried(turtle.turn, compass, level.displacement[s]);
+            turtle.turn = after(turtle.turn, level.turn[s], compass);
+        } else {
+            turn_by(command, compass, turtle.turn);
+        }
+    }
     return list;
 }
 

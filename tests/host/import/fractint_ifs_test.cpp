@@ -48,14 +48,16 @@ TEST(FractintIfs, a_map_moves_points_as_fractint_does) {
     EXPECT_EQ(image, glm::dvec3(1 * 10 + 2 * 100 + 5, 3 * 10 + 4 * 100 + 6, 0));
 }
 
-TEST(FractintIfs, a_solid_map_is_the_mirror_image_in_z) {
-    // FRACTINT's z points to the viewer, ours away.
+// Its z points away from the viewer: iterated-dynamics 6caa386, libid/geometry/3d.cpp,
+// perspective() refuses points whose z is not above that of the eye, and libid/fractals/lorenz.cpp,
+// float_view_transf3d(), puts the eye at the smaller z.
+TEST(FractintIfs, a_solid_map_has_the_axes_of_the_scene) {
     const Affine w = map(only("t (3D) { 1 2 3 4 5 6 7 8 9 10 11 12 .5 }"), 0);
     const glm::dvec3 x{10, 100, 1000};
-    const glm::dvec3 image = w.point({x.x, x.y, -x.z});
+    const glm::dvec3 image = w.point(x);
     EXPECT_EQ(image.x, 1 * x.x + 2 * x.y + 3 * x.z + 10);
     EXPECT_EQ(image.y, 4 * x.x + 5 * x.y + 6 * x.z + 11);
-    EXPECT_EQ(-image.z, 7 * x.x + 8 * x.y + 9 * x.z + 12);
+    EXPECT_EQ(image.z, 7 * x.x + 8 * x.y + 9 * x.z + 12);
 }
 
 TEST(FractintIfs, the_plane_is_as_thin_as_the_map_is_small) {
@@ -70,6 +72,36 @@ TEST(FractintIfs, the_plane_is_as_thin_as_the_map_is_small) {
 TEST(FractintIfs, probabilities_are_weights) {
     EXPECT_EQ(fractint_maps(only("t { .5 0 0 .5 0 0 .25 .5 0 0 .5 1 0 0 }")).maps[0].weight, 0.25);
     EXPECT_EQ(fractint_maps(only("t { .5 0 0 .5 0 0 .25 .5 0 0 .5 1 0 0 }")).maps[1].weight, 0.0);
+}
+
+TEST(FractintIfs, lines_without_a_probability_are_maps_without_a_weight) {
+    const FractintIfs flat = only("t {\n.5 0 0 .5 0 0\n.5 0 0 .5 1, 0\n}");
+    ASSERT_EQ(fractint_maps(flat).maps.size(), 2U);
+    EXPECT_EQ(fractint_maps(flat).maps[1].weight, std::nullopt);
+    EXPECT_EQ(map(flat, 1).translation, glm::dvec3(1, 0, 0));
+    const FractintIfs solid = only("t (3D) {\n.5 0 0 0 .5 0 0 0 .5 1 2 3\n}");
+    EXPECT_EQ(fractint_maps(solid).maps.at(0).weight, std::nullopt);
+    EXPECT_EQ(map(solid, 0).translation, glm::dvec3(1, 2, 3));
+}
+
+TEST(FractintIfs, numbers_alone_are_one_entry_without_a_name) {
+    const FractintIfs ifs = only("; the oldest form\n.5 0 0 .5 0 0 .5\n.5 0 0 .5 1 0 .5\n");
+    EXPECT_EQ(ifs.entry.name, "");
+    EXPECT_EQ(fractint_maps(ifs).maps.size(), 2U);
+    EXPECT_THAT(names(".5 0 0 .5 0 0 1\nb { .5 0 0 .5 0 0 1 }"), ElementsAre("", "b"));
+    EXPECT_EQ(complaints(".5 0 0 .5 0 0 .5\n.5 0 0 .5\n"),
+              "f.ifs:2:1: error: map 2 has 4 of its 7 numbers (a b c d e f p)\n"
+              "    .5 0 0 .5\n    ^");
+}
+
+TEST(FractintIfs, a_block_without_a_name_is_a_comment) {
+    EXPECT_THAT(names("{ by hand }\na { .5 0 0 .5 0 0 1 }"), ElementsAre("a"));
+}
+
+TEST(FractintIfs, the_line_with_too_few_numbers_is_named) {
+    EXPECT_EQ(complaints("t {\n.5 0 0 .5 0 0 1\n.5 0 0 .5 0 0\n.5 0 0 .5 0 0 1\n}"),
+              "f.ifs:3:1: error: map 2 of \"t\" has 6 of its 7 numbers (a b c d e f p)\n"
+              "    .5 0 0 .5 0 0\n    ^");
 }
 
 TEST(FractintIfs, numbers_are_read_as_people_write_them) {

@@ -43,23 +43,40 @@ TEST(FractintL, statements_are_read_however_they_are_spaced) {
 }
 
 TEST(FractintL, commands_move_the_turtle_as_documented) {
-    const auto value = [](const std::string& word) { return axiom(word + "F").at(0).value; };
-    EXPECT_EQ(value("+"), 45);
-    EXPECT_EQ(value("-"), -45);
-    EXPECT_EQ(value("\\30"), 30);
-    EXPECT_EQ(value("/7.5"), -7.5);
-    EXPECT_EQ(value("|"), 180);
-    EXPECT_EQ(value("@.5"), 0.5);
-    EXPECT_EQ(value("@I4"), 0.25);
-    EXPECT_EQ(value("@Q4"), 2);
-    EXPECT_EQ(value("@IQ4"), 0.5);
-    EXPECT_EQ(value("@QI4"), 0.5);
+    const auto turn = [](const std::string& word, TurtleOp op) {
+        const TurtleCommand command = axiom(word + "F").at(0);
+        EXPECT_EQ(command.op, op) << word;
+        return command.value;
+    };
+    EXPECT_EQ(turn("+", TurtleOp::turn), 1);
+    EXPECT_EQ(turn("-", TurtleOp::turn), -1);
+    EXPECT_EQ(turn("\\30", TurtleOp::turn_degrees), 30);
+    EXPECT_EQ(turn("/7.5", TurtleOp::turn_degrees), -7.5);
+    EXPECT_EQ(turn("|", TurtleOp::round), 4);
     EXPECT_EQ(axiom("c12<3>4F").size(), 1U);
+}
+
+TEST(FractintL, factors_of_a_step_are_kept_as_they_are_written) {
+    const auto factor = [](const std::string& word) {
+        const TurtleCommand command = axiom(word + "F").at(0);
+        EXPECT_EQ(command.op, TurtleOp::step) << word;
+        return std::string(command.factor.inverse ? "i" : "") + (command.factor.root ? "q" : "") +
+               command.factor.decimal;
+    };
+    EXPECT_EQ(factor("@.5"), ".5");
+    EXPECT_EQ(factor("@I4"), "i4");
+    EXPECT_EQ(factor("@Q4"), "q4");
+    EXPECT_EQ(factor("@IQ4"), "iq4");
+    EXPECT_EQ(factor("@QI4"), "iq4");
 }
 
 TEST(FractintL, round_of_an_odd_angle_is_the_largest_turn_below_180) {
     FractintL l = only("t { angle 5 axiom |F }");
-    EXPECT_EQ(lsystem_of(l).axiom.at(0).value, -144);
+    EXPECT_EQ(lsystem_of(l).axiom.at(0).value, -2);
+}
+
+TEST(FractintL, a_block_without_a_name_is_a_comment) {
+    EXPECT_EQ(only("{ by hand: a=b }\nt { axiom F }\n{ more }").entry.name, "t");
 }
 
 TEST(FractintL, mistakes_are_told_with_their_place) {

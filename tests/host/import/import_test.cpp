@@ -120,6 +120,25 @@ TEST(Import, names_become_names_of_the_scene_language) {
     EXPECT_EQ(scene_name(""), "imported");
 }
 
+TEST(Import, numbers_alone_are_named_after_their_file) {
+    const std::string numbers = ".5 0 0 .5 0 0 .5\n.5 0 0 .5 1 0 .5\n";
+    EXPECT_EQ(import_fractint({"of/1988 set.ifs", numbers}, FractintFormat::ifs, {}).name,
+              "_1988_set");
+}
+
+TEST(Import, what_cannot_be_bounded_is_refused) {
+    const std::string far = "t { .5 0 0 .5 1e300 0 1  .5 0 0 .5 -1e300 0 1 }";
+    try {
+        (void)import_fractint({"far.ifs", far}, FractintFormat::ifs, {});
+        FAIL() << "it was imported";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::scene);
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("far.ifs:1:1: error: \"t\" has no view: its points lie so "
+                                       "far from the origin that they could not be bounded"));
+    }
+}
+
 TEST(Import, any_bytes_end_in_a_scene_or_a_message) {
     const std::string alphabet = "fFgXY+-|![]@\\/iq0123456789.; \n\r\t{}=()3Dc<>,e\"\x80#";
     for (const auto& [file, format] : {std::pair{"classic.ifs", FractintFormat::ifs},

@@ -186,6 +186,72 @@ TEST(Lsystem, what_has_no_limit_is_refused_with_the_reason) {
                 testing::HasSubstr("what it draws does not grow"));
 }
 
+/// The similarity dimension of a system of one kind whose maps have one ratio.
+double dimension_of_equal_maps(const EdgeSystem& system) {
+    const std::vector<EdgeMap>& maps = system.kinds.at(0).maps;
+    return std::log(static_cast<double>(maps.size())) / -std::log(std::abs(maps[0].map.linear));
+}
+
+// Two symbols that do the same begin alike, and stay alike; what would tell them apart grows by
+// sqrt 7 and comes from rounding alone.
+TEST(Lsystem, lengths_grow_as_the_strokes_do_and_not_as_rounding) {
+    const std::string one = "Angle 9\nAxiom X\nX=XFXF+++XF---\nF=";
+    const std::string two = "Angle 9\nAxiom X\nX=XFXF+++YF---\nY=YF+++XF---YF\nF=";
+    EXPECT_NEAR(std::abs(system_of(entry(one)).growth), std::sqrt(3.0), 1e-14);
+    EXPECT_NEAR(std::abs(system_of(entry(two)).growth), std::sqrt(3.0), 1e-14);
+    EXPECT_NEAR(dimension_of_equal_maps(system_of(entry(one))), 2, 1e-13);
+    EXPECT_NEAR(dimension_of_equal_maps(system_of(entry(two))), 2, 1e-13);
+}
+
+// Seventh parts of a turn are no doubles: summed as such, a closed path of seven strokes is not.
+TEST(Lsystem, paths_that_close_are_zero_however_the_turns_are_written) {
+    const std::string closed = "its edges are replaced by paths that end where they begin";
+    EXPECT_THAT(refusal(entry("Angle 6\nAxiom F\nF=FF--F-F-F")), testing::HasSubstr(closed));
+    EXPECT_THAT(refusal(entry("Angle 7\nAxiom F\nF=F+F+F+F+F+F+F")), testing::HasSubstr(closed));
+    EXPECT_THAT(refusal(entry("Axiom F\nF=F\\51.2F/51.2F\\180FF\\51.2F")),
+                testing::HasSubstr(closed));
+    EXPECT_THAT(refusal(entry("Angle 2\nAxiom F\nF=@.6F@I.6+@.36F@I.6F@Q.36-")),
+                testing::HasSubstr("no exact linear fractal"));
+}
+
+// A dragon of unequal legs whose longer one waits for the shorter: every edge is one step long at
+// every level, as far as the decimals stand for a cosine and a sine. What they are off by begins
+// another growth, of 1.09 a level, that no level which anyone draws would show.
+TEST(Lsystem, what_decimals_are_off_by_is_no_growth) {
+    EXPECT_THAT(refusal(entry("Angle 12\nAxiom x\nx=\\66@.40674da@i.40674/90@.91355dy@i.91355\\24\n"
+                              "y=/24@.91355dx@i.91355\\90@.40674dp@i.40674/66\n"
+                              "a=db\nb=de\ne=dh\nh=dj\nj=dk\nk=dl\nl=dn\nn=dx\n"
+                              "p=dq\nq=dr\nr=ds\ns=dt\nt=du\nu=dv\nv=dw\nw=dy\nd=")),
+                testing::HasSubstr("only by what the decimals"));
+}
+
+TEST(Lsystem, a_stroke_that_only_grows_with_the_drawing_stays_a_segment) {
+    const EdgeSystem itself =
+        system_of(entry("Angle 8\nAxiom x\nx=F[+y]Fx\ny=F[-y]F\nF=@1.25F@i1.25"));
+    const EdgeSystem by_another =
+        system_of(entry("Angle 8\nAxiom x\nx=F[+y]Fx\ny=F[-y]F\nF=@1.25D@i1.25\nD=@1.25F@i1.25"));
+    for (const EdgeSystem& system : {itself, by_another}) {
+        int segments = 0;
+        for (std::size_t k = 0; k < system.kinds.size(); ++k) {
+            const std::vector<EdgeMap>& maps = system.kinds[k].maps;
+            if (system.kinds[k].name[0] == 'X' || system.kinds[k].name[0] == 'Y') continue;
+            ++segments;
+            ASSERT_EQ(maps.size(), 2U);
+            EXPECT_EQ(maps[0].inside, static_cast<int>(k));
+            EXPECT_NEAR(std::abs(maps[1].map.linear - 0.5), 0, 1e-15);
+        }
+        EXPECT_GT(segments, 0);
+        EXPECT_NEAR(system.growth.real(), 1.25, 1e-12);
+    }
+}
+
+TEST(Lsystem, a_start_that_nothing_comes_after_is_measured_by_an_edge_that_grows) {
+    const EdgeSystem system = system_of(entry("Angle 4\nAxiom p\np=fx\nx=x+y\ny=x-yf"));
+    EXPECT_NEAR(std::abs(system.growth), std::sqrt(2.0), 1e-12);
+    for (const EdgeKind& kind : system.kinds)
+        for (const EdgeMap& map : kind.maps) EXPECT_LT(std::abs(map.map.offset), 10);
+}
+
 TEST(Lsystem, long_rules_are_taken_or_refused_in_time) {
     std::string rule = "F";
     for (int i = 0; i < 4'000; ++i) rule += "+F-F";
