@@ -1,9 +1,11 @@
 #include "host/cli.hpp"
 
 #include <CLI/CLI.hpp>
+#include <sstream>
 #include <vector>
 
 #include "host/cmd.hpp"
+#include "host/terminal.hpp"
 
 namespace pxm::host {
 
@@ -48,7 +50,10 @@ ExitCode run_command_line(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {
-        return static_cast<ExitCode>(app.exit(success));  // --help, --version
+        std::ostringstream text, messages;  // --help, --version
+        const auto code = static_cast<ExitCode>(app.exit(success, text, messages));
+        put_result(text.str());
+        return code;
     } catch (const CLI::ParseError& error) {
         throw Error(ExitCode::command_line,
                     std::string(error.what()) + "\ntry: pxm --help, or pxm COMMAND --help");

@@ -7,6 +7,7 @@
 #include "host/cmd.hpp"
 #include "host/option_checks.hpp"
 #include "host/output/comparison.hpp"
+#include "host/terminal.hpp"
 
 namespace pxm::host {
 
@@ -20,9 +21,9 @@ struct CompareArguments {
 
 void print_share(const char* what, double share) {
     if (share < 0) {
-        fmt::print("{:<28} -            (no such channel in both files)\n", what);
+        put_result(fmt::format("{:<28} -            (no such channel in both files)\n", what));
     } else {
-        fmt::print("{:<28} {:.6f} %\n", what, share * 100);
+        put_result(fmt::format("{:<28} {:.6f} %\n", what, share * 100));
     }
 }
 
@@ -32,12 +33,13 @@ ExitCode compare(const CompareArguments& arguments) {
     print_share("different words", c.words);
     print_share("depths over a pixel apart", c.depths);
     if (c.worst_depth >= 0)
-        fmt::print("{:<28} {:.6g} pixels\n", "largest depth difference", c.worst_depth);
+        put_result(
+            fmt::format("{:<28} {:.6g} pixels\n", "largest depth difference", c.worst_depth));
     print_share("colours over 1/255 apart", c.colors);
-    fmt::print("{:<28} {:.6g}\n", "RMSE of colour", c.rmse);
+    put_result(fmt::format("{:<28} {:.6g}\n", "RMSE of colour", c.rmse));
     const bool over = c.different > arguments.tolerance;
-    fmt::print("{:<28} {:.6f} % ({} the tolerance of {:.6f} %)\n", "different pixels",
-               c.different * 100, over ? "over" : "within", arguments.tolerance * 100);
+    put_result(fmt::format("{:<28} {:.6f} % ({} the tolerance of {:.6f} %)\n", "different pixels",
+                           c.different * 100, over ? "over" : "within", arguments.tolerance * 100));
     return over ? ExitCode::over_tolerance : ExitCode::done;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "host/cmd.hpp"
@@ -9,6 +10,9 @@
 #include "host/import/moment_search.hpp"
 #include "host/interrupt.hpp"
 #include "host/output/safe_file.hpp"
+#include "host/output/spared_inputs.hpp"
+#include "host/scene/printable.hpp"
+#include "host/terminal.hpp"
 
 namespace pxm::host {
 
@@ -18,24 +22,38 @@ struct ImportArguments {
     ImportRequest request;
     std::string entry;
     std::string out;
+    bool force = false;
 };
+
+/// Throws Error unless the scene can be written there, and there is neither what it is made from
+/// nor, where the user did not name the place, a file that he may need.
+void require_scene_place(const ImportArguments& arguments, const std::string& out) {
+    require_spared({out}, {{arguments.request.path, "what is imported"}});
+    if (arguments.out.empty() && !arguments.force && std::filesystem::exists(out)) {
+        throw Error(ExitCode::command_line,
+                    fmt::format("{} is there already: --force replaces it, -o writes elsewhere",
+                                printable_path(out)));
+    }
+    require_writable(out);
+}
 
 ExitCode import(const ImportArguments& arguments) {
     ImportRequest request = arguments.request;
     if (!arguments.entry.empty()) request.entry = arguments.entry;
     request.stop = [] { return stop_requested().load(); };
     const bool to_stdout = arguments.out == "-";
-    if (!to_stdout && !arguments.out.empty()) require_writable(arguments.out);
+    if (!to_stdout && !arguments.out.empty()) require_scene_place(arguments, arguments.out);
     const Imported imported = import_file(request);
     if (stop_requested()) return signal_exit_code();
-    fmt::print(stderr, "{}", imported.messages);
+    tell(imported.messages);
     if (to_stdout) {
-        fmt::print("{}", imported.text);
+        put_result(imported.text);
         return ExitCode::done;
     }
     const std::string out = arguments.out.empty() ? imported.name + ".pxm" : arguments.out;
+    if (arguments.out.empty()) require_scene_place(arguments, out);
     write_text_safely(out, imported.text);
-    fmt::print(stderr, "{}: {} maps\n", out, imported.scene.ifs[0].maps.size());
+    tell(fmt::format("{}: {} maps\n", printable_path(out), imported.scene.ifs[0].maps.size()));
     return ExitCode::done;
 }
 
@@ -51,6 +69,7 @@ CommandAction add_import_command(CLI::App& app) {
         ->required();
     command->add_option("-o,--out", a->out,
                         "The scene; - is the standard output; default: the entry's name + .pxm");
+    command->add_flag("--force", a->force, "Replace a scene of the entry's name that is there");
     command->add_option("--entry", a->entry, "The entry of a FRACTINT file that has several");
     command->add_option("--maps", a->request.maps, "Maps to find for an image or points; default 4")
         ->check(CLI::Range(1, most_moment_maps));

@@ -1,6 +1,4 @@
 // `pxm inspect SCENE`: what the scene is and what it will need, without rendering.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -12,8 +10,10 @@
 #include "host/output/inspect_json.hpp"
 #include "host/output/inspect_text.hpp"
 #include "host/output/safe_file.hpp"
+#include "host/output/spared_inputs.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
+#include "host/terminal.hpp"
 
 namespace pxm::host {
 
@@ -28,7 +28,7 @@ struct InspectArguments {
 
 void put(const std::string& text, const std::string& out) {
     if (out.empty()) {
-        fmt::print("{}", text);
+        put_result(text);
     } else {
         write_text_safely(out, text);
     }
@@ -40,6 +40,7 @@ ExitCode inspect_scene(const InspectArguments& arguments) {
     const Scene scene = parse_scene(arguments.scene, diagnostics);
     if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
     diagnostics.throw_if_errors(scene.files);
+    if (!arguments.out.empty()) require_spared({arguments.out}, inputs_of(scene));
     if (!arguments.point.empty()) {
         put(attractor_point(scene, arguments.point) + "\n", arguments.out);
         return ExitCode::done;
@@ -47,7 +48,7 @@ ExitCode inspect_scene(const InspectArguments& arguments) {
     const Inspection found = inspect(scene, arguments.scene, diagnostics);
     diagnostics.throw_if_errors(scene.files);
     const std::string warnings = diagnostics.warnings_text(scene.files);
-    if (!warnings.empty()) fmt::print(stderr, "{}\n", warnings);
+    if (!warnings.empty()) tell(warnings + "\n");
     put(arguments.json ? inspect_json(found) : inspect_text(found), arguments.out);
     return ExitCode::done;
 }

@@ -10,7 +10,9 @@
 
 #include "dsp_kernels/token_program.hpp"
 #include "host/cmd.hpp"
+#include "host/output/json_text.hpp"
 #include "host/render_options.hpp"
+#include "host/terminal.hpp"
 
 namespace pxm::host {
 
@@ -86,7 +88,7 @@ std::string models_json() {
     }
     json["cycle_seconds"] = {{"value", instruction_seconds}, {"mark", letter(Certainty::derived)}};
     for (const Mark& mark : marks) json["marks"][letter(mark.certainty)] = mark.meaning;
-    return json.dump(2) + "\n";
+    return json_text(json, 2) + "\n";
 }
 
 /// Sends the token round the model's torus.
@@ -103,9 +105,9 @@ ExitCode send_token(const Model& model) {
         threads, 4 * model.nodes());
     const auto home = nodes.front().home();
     if (!steps || !home) throw Error(ExitCode::run_failed, "the token did not come home");
-    fmt::print(
+    put_result(fmt::format(
         "{}: the token visited {} of {} nodes over {} links and was home after {} supersteps\n",
-        model.name, home->visited, model.nodes(), home->hops, *steps);
+        model.name, home->visited, model.nodes(), home->hops, *steps));
     return ExitCode::done;
 }
 
@@ -119,7 +121,7 @@ CommandAction add_models_command(CLI::App& app) {
         ->excludes(json);
     return [a] {
         if (!a->token.empty()) return send_token(parse_model("--token", a->token));
-        fmt::print("{}", a->json ? models_json() : models_text());
+        put_result(a->json ? models_json() : models_text());
         return ExitCode::done;
     };
 }

@@ -1,6 +1,4 @@
 // `pxm points SCENE -n N -o OUT.ply`: the attractors drawn the explicit way (Alg. 7.1).
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
@@ -13,9 +11,11 @@
 #include "host/output/ply.hpp"
 #include "host/output/progress.hpp"
 #include "host/output/safe_file.hpp"
+#include "host/output/spared_inputs.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/default_objects.hpp"
 #include "host/scene/parser.hpp"
+#include "host/terminal.hpp"
 
 namespace pxm::host {
 
@@ -101,14 +101,15 @@ ExitCode run_points(const PointsArguments& arguments) {
     std::vector<Player> players;
     if (!diagnostics.has_errors()) players = make_players(scene, arguments.seed, diagnostics);
     diagnostics.throw_if_errors(scene.files);
+    require_spared({arguments.out}, inputs_of(scene));
     const std::string warnings = diagnostics.warnings_text(scene.files);
-    if (!warnings.empty()) fmt::print(stderr, "{}\n", warnings);
+    if (!warnings.empty()) tell(warnings + "\n");
 
     struct Stopped {};
     try {
-        write_safely(arguments.out, [&](const std::string& beside) {
+        write_safely(arguments.out, [&](CheckedFile& output) {
             Progress progress(arguments.quiet);
-            PlyWriter file(beside, arguments.count,
+            PlyWriter file(output, arguments.count,
                            "pxm " PXM_VERSION " points of " + arguments.scene);
             if (!draw_points(players, arguments.count, file, progress)) throw Stopped{};
             file.finish();

@@ -15,9 +15,12 @@
 #include "host/output/image.hpp"
 #include "host/output/progress.hpp"
 #include "host/output/safe_file.hpp"
+#include "host/output/spared_inputs.hpp"
 #include "host/output/statistics_json.hpp"
 #include "host/render/render.hpp"
 #include "host/render_options.hpp"
+#include "host/scene/printable.hpp"
+#include "host/terminal.hpp"
 
 namespace pxm::host {
 
@@ -75,23 +78,19 @@ std::string default_out(const std::string& scene) {
     return std::filesystem::path(scene).stem().string() + ".png";
 }
 
-/// Throws if one file would be written over another.
-void require_three_files(const std::string& scene, const std::string& out,
-                         const std::string& stats) {
-    const auto place = [](const std::string& path) {
-        std::error_code error;
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
-    };
-    const auto same = [&](const std::string& a, const std::string& b) {
-        return place(a) == place(b);
-    };
-    const auto refuse = [](const std::string& path, const char* what) {
-        throw Error(ExitCode::command_line, fmt::format("{} would be written over {}", path, what));
-    };
-    if (same(out, scene)) refuse(out, "the scene");
-    if (stats.empty()) return;
-    if (same(stats, scene)) refuse(stats, "the scene");
-    if (same(stats, out)) refuse(stats, "the picture");
+/// What will be written. Throws unless the picture and the statistics are two files that can be
+/// written, and neither is one that the command line names to be read.
+std::vector<std::string> outputs_of(const RenderArguments& arguments, const std::string& out) {
+    std::vector<std::string> outputs{out};
+    if (!arguments.stats.empty()) {
+        require_spared({arguments.stats}, {{out, "the picture"}});
+        outputs.push_back(arguments.stats);
+    }
+    std::vector<InputFile> inputs{{arguments.scene, "the scene"}};
+    if (!arguments.cost_model.empty()) inputs.push_back({arguments.cost_model, "the cost model"});
+    require_spared(outputs, inputs);
+    for (const std::string& output : outputs) require_writable(output);
+    return outputs;
 }
 
 Metadata metadata_of(const Statistics& s, const RenderArguments& a, const RenderResult& result) {
@@ -125,7 +124,7 @@ Metadata metadata_of(const Statistics& s, const RenderArguments& a, const Render
 
 ExitCode explain(const RenderArguments& arguments) {
     const auto [x, y] = parse_pixel(arguments.pixel);
-    fmt::print("{}", explain_pixel(request_of(arguments), x, y));
+    put_result(explain_pixel(request_of(arguments), x, y));
     return ExitCode::done;
 }
 
@@ -138,7 +137,7 @@ ExitCode render_picture(const RenderArguments& arguments) {
         throw Error(ExitCode::command_line,
                     "--cost-model: cycles are counted on the machine only (--machine MODEL)");
     }
-    const RenderRequest request = request_of(arguments);
+    RenderRequest request = request_of(arguments);
     const std::string out = arguments.out.empty() ? default_out(arguments.scene) : arguments.out;
     const auto aovs = arguments.aov.empty() ? std::vector<Aov>{} : parse_aovs(arguments.aov);
     require_image_format(out, aovs);
@@ -147,9 +146,7 @@ ExitCode render_picture(const RenderArguments& arguments) {
                     "--aov cycles: cycles are counted on the machine only "
                     "(--machine MODEL)");
     }
-    require_three_files(arguments.scene, out, arguments.stats);
-    require_writable(out);
-    if (!arguments.stats.empty()) require_writable(arguments.stats);
+    request.outputs = outputs_of(arguments, out);
 
     RenderResult result;
     std::unique_ptr<ImageWriter> writer;
@@ -173,7 +170,7 @@ ExitCode render_picture(const RenderArguments& arguments) {
         result = render(request, control, take);
     }
     if (result.stopped) return signal_exit_code();
-    fmt::print(stderr, "{}", result.warnings);
+    tell(result.warnings);
     const double before_end = seconds();
     writer->finish();
     PhaseSeconds& phases = result.statistics.seconds;
@@ -183,10 +180,10 @@ ExitCode render_picture(const RenderArguments& arguments) {
         write_text_safely(arguments.stats, statistics_json(result.statistics));
     }
     if (!arguments.quiet) {
-        fmt::print(stderr, "{}: {}x{} in {:.2f} s ({:.2f} Mray/s)\n", out,
-                   result.window.x1 - result.window.x0, result.window.y1 - result.window.y0,
-                   phases.total,
-                   static_cast<double>(result.statistics.rays.eye_rays) / phases.render / 1e6);
+        tell(fmt::format(
+            "{}: {}x{} in {:.2f} s ({:.2f} Mray/s)\n", printable_path(out),
+            result.window.x1 - result.window.x0, result.window.y1 - result.window.y0, phases.total,
+            static_cast<double>(result.statistics.rays.eye_rays) / phases.render / 1e6));
     }
     return ExitCode::done;
 }

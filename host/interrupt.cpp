@@ -15,21 +15,36 @@ constexpr long patience_nanoseconds = 500'000'000;  // "within a second" (docs/c
 
 std::atomic<bool> stop = false;
 std::atomic<int> received = 0;
-std::atomic<bool> part_exists = false;
-char part_path[PATH_MAX];
 timer_t patience;
 bool has_timer = false;
 
+/// A file to be removed. The state changes around the path, never under a handler's eyes.
+struct Part {
+    std::atomic<bool> taken = false;
+    std::atomic<bool> complete = false;  // the path can be used
+    char path[PATH_MAX];
+};
+Part parts[PartFileGuard::most];
+
+bool part_exists() {
+    for (const Part& part : parts) {
+        if (part.complete) return true;
+    }
+    return false;
+}
+
 /// Only what POSIX allows in a signal handler.
 [[noreturn]] void end_now() {
-    if (part_exists) unlink(part_path);
+    for (const Part& part : parts) {
+        if (part.complete) unlink(part.path);
+    }
     _exit(static_cast<int>(signal_exit_code()));
 }
 
 void on_signal(int signal) {
     const bool second = received.exchange(signal) != 0;
     stop = true;
-    if (second || part_exists || !has_timer) end_now();
+    if (second || part_exists() || !has_timer) end_now();
     itimerspec once = {};
     once.it_value.tv_nsec = patience_nanoseconds;
     timer_settime(patience, 0, &once, nullptr);
@@ -45,6 +60,11 @@ void handle(int signal, void (*handler)(int)) {
     sigaction(signal, &action, nullptr);
 }
 
+bool is_ignored(int signal) {
+    struct sigaction action = {};
+    return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 void catch_signals() {
@@ -55,20 +75,31 @@ void catch_signals() {
     handle(SIGALRM, on_alarm);
     handle(SIGINT, on_signal);
     handle(SIGTERM, on_signal);
+    handle(SIGXCPU, on_signal);
+    if (!is_ignored(SIGHUP)) handle(SIGHUP, on_signal);
+    handle(SIGPIPE, SIG_IGN);
+    handle(SIGXFSZ, SIG_IGN);
 }
 
 const std::atomic<bool>& stop_requested() { return stop; }
 
-ExitCode signal_exit_code() {
-    return received == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
-}
+ExitCode signal_exit_code() { return static_cast<ExitCode>(128 + received); }
 
 PartFileGuard::PartFileGuard(const std::string& path) {
-    if (path.size() >= sizeof part_path) return;
-    std::memcpy(part_path, path.c_str(), path.size() + 1);
-    part_exists = true;
+    if (path.size() >= sizeof parts[0].path) return;
+    for (int slot = 0; slot < most; ++slot) {
+        if (parts[slot].taken.exchange(true)) continue;
+        std::memcpy(parts[slot].path, path.c_str(), path.size() + 1);
+        parts[slot].complete = true;
+        slot_ = slot;
+        return;
+    }
 }
 
-PartFileGuard::~PartFileGuard() { part_exists = false; }
+PartFileGuard::~PartFileGuard() {
+    if (slot_ < 0) return;
+    parts[slot_].complete = false;
+    parts[slot_].taken = false;
+}
 
 }  // namespace pxm::host

@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM: a flag that the engines look at, and the exit code they end with. Where
+// Signals that end a run: a flag that the engines look at, and the exit code they end with. Where
 // nobody looks at it the process ends by itself, soon and without a partial file.
 #pragma once
 
@@ -9,25 +9,33 @@
 
 namespace pxm::host {
 
-/// Installs the handlers. A signal sets stop_requested(); if the process is not over half a second
-/// later, if a second signal comes, or if a file is being written, it ends at once, with
-/// signal_exit_code() and without the file's beginnings.
+/// Installs the handlers of SIGINT, SIGTERM, SIGHUP (unless it is ignored, as under nohup) and
+/// SIGXCPU. A signal sets stop_requested(); if the process is not over half a second later, if a
+/// second signal comes, or if a file is being written, it ends at once, with signal_exit_code() and
+/// without the file's beginnings. SIGPIPE and SIGXFSZ are ignored: the write that caused them fails
+/// and says so.
 void catch_signals();
 
 /// Set once a signal came.
 [[nodiscard]] const std::atomic<bool>& stop_requested();
 
-/// 130 after SIGINT, 143 after SIGTERM.
+/// 128 and the number of the signal that came, as shells have it: 129 after SIGHUP, 130 after
+/// SIGINT, 143 after SIGTERM, 152 after SIGXCPU.
 [[nodiscard]] ExitCode signal_exit_code();
 
-/// While it lives, a signal removes that file. One at a time; a path too long for the system's
-/// calls is not guarded.
+/// While it lives, a signal removes that file. So many at a time; one more, or one with a path too
+/// long for the system's calls, is not guarded.
 class PartFileGuard {
   public:
+    static constexpr int most = 4;
+
     explicit PartFileGuard(const std::string& path);
     ~PartFileGuard();
     PartFileGuard(const PartFileGuard&) = delete;
     PartFileGuard& operator=(const PartFileGuard&) = delete;
+
+  private:
+    int slot_ = -1;
 };
 
 }  // namespace pxm::host

@@ -1,23 +1,30 @@
 // The program: one command line in, one exit code out. The only place that catches.
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "host/cli.hpp"
 #include "host/error.hpp"
 #include "host/interrupt.hpp"
+#include "host/stack.hpp"
+#include "host/terminal.hpp"
 
-int main(int argc, char** argv) {
-    using pxm::host::ExitCode;
-    const auto fail = [](ExitCode code, const char* message) {
-        fmt::print(stderr, "pxm: {}\n", message);
-        return static_cast<int>(code);
-    };
+namespace {
+
+using pxm::host::ExitCode;
+
+int fail(ExitCode code, const char* message) {
+    pxm::host::tell("pxm: ");
+    pxm::host::tell(message);
+    pxm::host::tell("\n");
+    return static_cast<int>(code);
+}
+
+int run(int argc, const char* const* argv) {
     try {
-        pxm::host::catch_signals();
-        return static_cast<int>(pxm::host::run_command_line(argc, argv));
+        const ExitCode code = pxm::host::run_command_line(argc, argv);
+        pxm::host::finish_results();
+        return static_cast<int>(code);
     } catch (const pxm::host::Error& error) {
         return fail(error.code(), error.what());
     } catch (const std::bad_alloc&) {
@@ -25,4 +32,12 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
         return fail(ExitCode::run_failed, error.what());
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    pxm::host::fill_standard_descriptors();
+    pxm::host::catch_signals();
+    return pxm::host::with_enough_stack([&] { return run(argc, argv); });
 }

@@ -9,8 +9,10 @@
 #include <cstdlib>
 #include <ctime>
 #include <memory>
+#include <optional>
 
 #include "host/error.hpp"
+#include "host/output/image_sink.hpp"
 #include "host/output/safe_file.hpp"
 
 namespace pxm::host {
@@ -91,10 +93,6 @@ void append(std::vector<float>& values, const PixelRecord& pixel, Aov aov) {
     }
 }
 
-[[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
-    throw Error(ExitCode::file, "cannot write " + path + ": " + why);
-}
-
 /// OpenImageIO's message about `beside`, told of `path`.
 std::string told_of(const std::string& path, const std::string& beside, std::string why) {
     const auto at = why.find(beside);
@@ -166,12 +164,12 @@ bool is_srgb(const OIIO::ImageSpec& spec) {
 }
 
 /// Whether OpenImageIO has a writer of colour pictures for this extension. Its `null` and `term`
-/// write no file, and a zfile holds depths.
+/// write no file, a zfile holds depths, and its IFF takes tiles alone.
 bool is_picture_format(const std::string& path) {
     const auto output = OIIO::ImageOutput::create(path);
     if (!output) return (void)OIIO::geterror(), false;
     const std::string format = output->format_name();
-    return format != "null" && format != "term" && format != "zfile";
+    return format != "null" && format != "term" && format != "zfile" && format != "iff";
 }
 
 }  // namespace
@@ -231,26 +229,42 @@ void require_image_format(const std::string& path, const std::vector<Aov>& aovs)
     }
 }
 
+/// Gives the writer a place to write to, if it can be trusted with one. TIFF cannot: it reads what
+/// it wrote, which its writer never does from such a place, and leaves out the picture's size.
+static bool takes_a_sink(OIIO::ImageOutput& output, ImageSink& sink) {
+    return std::string_view(output.format_name()) != "tiff" && output.set_ioproxy(&sink);
+}
+
 struct ImageWriter::File {
+    File(const std::string& p, const PixelSize& s, const std::vector<Aov>& a)
+        : path(p), size(s), aovs(a), part(p, Places::any), sink(part.file(), part.beside()) {}
+
     std::string path;
+    PixelSize size;
     std::vector<Aov> aovs;
     PartFile part;
+    ImageSink sink;
     std::unique_ptr<OIIO::ImageOutput> output;
+    std::optional<RowDigest> digest;  // of a writer that opens the file itself
     int next_row = 0;
 
+    /// The system's reason first: the library knows none, or nothing of it.
     void require(bool done) {
+        part.file().require();
         if (!done) cannot_write(path, told_of(path, part.beside(), output->geterror()));
     }
 };
 
 ImageWriter::ImageWriter(const std::string& path, const PixelSize& size,
                          const std::vector<Aov>& aovs, const Metadata& metadata)
-    : file_(new File{path, aovs, PartFile(path), nullptr}) {
+    : file_(new File(path, size, aovs)) {
     OIIO::attribute("threads", 1);
     file_->output = OIIO::ImageOutput::create(file_->part.beside());
     if (!file_->output) cannot_write(path, OIIO::geterror());
+    if (!takes_a_sink(*file_->output, file_->sink)) file_->digest.emplace();
     const OIIO::ImageSpec spec = spec_of(path, size, channel_names(aovs), metadata);
-    file_->require(file_->output->open(file_->part.beside(), spec));
+    // Some formats hold the name: with a place to write to it need not be the part's.
+    file_->require(file_->output->open(file_->digest ? file_->part.beside() : path, spec));
 }
 
 ImageWriter::~ImageWriter() = default;
@@ -264,13 +278,22 @@ void ImageWriter::append(const Frame& rows) {
     if (holds_floats(file_->path)) {
         put(OIIO::TypeDesc::FLOAT, floats_of(rows, file_->aovs).data());
     } else {
-        put(OIIO::TypeDesc::UINT8, bytes_of(rows).data());
+        const std::vector<unsigned char> bytes = bytes_of(rows);
+        if (file_->digest) file_->digest->add(bytes.data(), bytes.size());
+        put(OIIO::TypeDesc::UINT8, bytes.data());
     }
 }
 
 void ImageWriter::finish() {
-    file_->require(file_->output->close());
-    file_->part.commit();
+    File& file = *file_;
+    file.require(file.output->close());
+    if (file.digest) {
+        const std::string why =
+            why_not_as_written(file.part.beside(), static_cast<int>(file.size.columns),
+                               static_cast<int>(file.size.rows), *file.digest);
+        if (!why.empty()) cannot_write(file.path, why);
+    }
+    file.part.commit();
 }
 
 void write_image(const std::string& path, const Frame& frame, const std::vector<Aov>& aovs,

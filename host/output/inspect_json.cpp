@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/output/inspect_names.hpp"
+#include "host/output/json_text.hpp"
 #include "host/output/program_json.hpp"
 
 namespace pxm::host {
@@ -226,7 +227,7 @@ std::string inspect_json(const Inspection& inspection) {
         json["native"].push_back(
             {{"object", object.object}, {"method", object.method}, {"because", object.because}});
     }
-    return json.dump(2) + "\n";
+    return json_text(json, 2) + "\n";
 }
 
 }  // namespace pxm::host

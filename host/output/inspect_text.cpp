@@ -7,6 +7,7 @@
 
 #include "host/fractal/six_digits.hpp"
 #include "host/output/inspect_names.hpp"
+#include "host/scene/printable.hpp"
 #include "pxm/model.hpp"
 
 namespace pxm::host {
@@ -206,7 +207,7 @@ void add_needs(const NodeNeeds& needs, std::string& text) {
 }  // namespace
 
 std::string inspect_text(const Inspection& inspection) {
-    std::string text = inspection.scene + "\n\n";
+    std::string text = printable_path(inspection.scene) + "\n\n";
     for (const IfsFacts& ifs : inspection.ifs) {
         add_ifs(ifs, text);
         text += '\n';

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cstring>
 
-#include "host/error.hpp"
 #include "host/output/image.hpp"
+#include "host/scene/printable.hpp"
 
 namespace pxm::host {
 
@@ -34,15 +34,15 @@ unsigned char srgb_byte(double linear) {
 
 }  // namespace
 
-PlyWriter::PlyWriter(const std::string& path, std::uint64_t count, const std::string& comment)
-    : path_(path), file_(path, std::ios::binary) {
+PlyWriter::PlyWriter(CheckedFile& file, std::uint64_t count, const std::string& comment)
+    : file_(file) {
     buffer_.reserve(buffer_bytes + point_bytes);
-    file_ << fmt::format(
+    const std::string header = fmt::format(
         "ply\nformat binary_little_endian 1.0\ncomment {}\nelement vertex {}\n"
         "property float x\nproperty float y\nproperty float z\n"
         "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
-        comment, count);
-    if (!file_) throw Error(ExitCode::file, fmt::format("cannot write {}", path));
+        printable_path(comment), count);
+    file_.append(header.data(), header.size());
 }
 
 void PlyWriter::add(const glm::dvec3& place, const glm::dvec3& color) {
@@ -58,17 +58,10 @@ void PlyWriter::add(const glm::dvec3& place, const glm::dvec3& color) {
 }
 
 void PlyWriter::flush() {
-    file_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    file_.append(buffer_.data(), buffer_.size());
     buffer_.clear();
-    if (!file_)
-        throw Error(ExitCode::file, fmt::format("cannot write {}: the disk may be full", path_));
 }
 
-void PlyWriter::finish() {
-    flush();
-    file_.close();
-    if (!file_)
-        throw Error(ExitCode::file, fmt::format("cannot write {}: the disk may be full", path_));
-}
+void PlyWriter::finish() { flush(); }
 
 }  // namespace pxm::host

@@ -2,18 +2,20 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
+
+#include "host/output/checked_file.hpp"
 
 namespace pxm::host {
 
 /// Writes `count` points: x y z as 32-bit floats, red green blue as bytes (sRGB), little endian.
 class PlyWriter {
   public:
-    /// Throws Error(ExitCode::file), as do the other functions.
-    PlyWriter(const std::string& path, std::uint64_t count, const std::string& comment);
+    /// `file` must outlive it; of the comment one line is taken, as it can be shown. Throws
+    /// Error(ExitCode::file), as do the other functions.
+    PlyWriter(CheckedFile& file, std::uint64_t count, const std::string& comment);
 
     /// `color` is linear, 0..1.
     void add(const glm::dvec3& place, const glm::dvec3& color);
@@ -23,8 +25,7 @@ class PlyWriter {
   private:
     void flush();
 
-    std::string path_;
-    std::ofstream file_;
+    CheckedFile& file_;
     std::vector<char> buffer_;
 };
 

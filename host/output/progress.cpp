@@ -44,10 +44,10 @@ void Progress::update(double share) {
     const int filled = std::clamp(static_cast<int>(share * bar_width), 0, bar_width);
     const std::string left =
         share > 0.01 ? clock_text(elapsed / share * (1 - share)) + " left" : "";
-    fmt::print(stderr, "\r\033[K[{}{}] {:3.0f} %  {}",
-               std::string(static_cast<std::size_t>(filled), '#'),
-               std::string(static_cast<std::size_t>(bar_width - filled), '-'), share * 100, left);
-    std::fflush(stderr);
+    const std::string bar = fmt::format(
+        "\r\033[K[{}{}] {:3.0f} %  {}", std::string(static_cast<std::size_t>(filled), '#'),
+        std::string(static_cast<std::size_t>(bar_width - filled), '-'), share * 100, left);
+    std::fputs(bar.c_str(), stderr);  // a terminal that is gone changes nothing
 }
 
 }  // namespace pxm::host

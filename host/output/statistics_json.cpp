@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "host/output/json_text.hpp"
 #include "host/output/program_json.hpp"
 #include "pxm/cost.hpp"
 #include "pxm/model.hpp"
@@ -103,7 +104,7 @@ std::string statistics_json(const Statistics& s) {
     for (const Alarm& alarm : s.alarms) json["alarms"][alarm.name] = alarm.count;
     json["scene_block"] = {{"words", s.scene_block_words},
                            {"hash", fmt::format("{:016x}", s.scene_block_hash)}};
-    if (!s.machine) return json.dump(2) + "\n";
+    if (!s.machine) return json_text(json, 2) + "\n";
 
     json["program"] = program_json(s.program);
     json["memory"] = {{"fast_memory", memory_json(s.machine->fast_memory)},
@@ -116,7 +117,7 @@ std::string statistics_json(const Statistics& s) {
     json["nodes"] = Json::array();
     for (const NodeStatistics& node : s.machine->nodes) json["nodes"].push_back(node_json(node));
     json["balance"] = balance_json(s.machine->nodes);
-    return json.dump(2) + "\n";
+    return json_text(json, 2) + "\n";
 }
 
 }  // namespace pxm::host

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
+#include <optional>
 
 #include "host/render/engine.hpp"
+#include "host/render/first_failure.hpp"
 #include "host/render/gather.hpp"
 #include "host/render/instances.hpp"
 #include "host/render/native_node.hpp"
+#include "host/render/threads.hpp"
 #include "host/wide/wide_engine.hpp"
 #include "pxm/frame_buffer.hpp"
 
@@ -58,18 +60,21 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     const long tiles = across * tiles_touched(scene.crop.y0, scene.crop.y1);
     std::atomic<long> done = 0;
     std::atomic<bool> stopped = false;
-    std::exception_ptr failure;
-#pragma omp parallel num_threads(choice.threads)
+    FirstFailure failure;
+    const int threads = threads_that_start(choice.threads);
+#pragma omp parallel num_threads(threads)
     {
         RayStatistics rays;
-        try {
-            NativeNode<Real> node(block, scene.texture_words, scene.heap,
-                                  sizeof(kernels::Cell<Real>));
+        std::optional<NativeNode<Real>> node;
+        failure.guard([&] {
+            node.emplace(block, scene.texture_words, scene.heap, sizeof(kernels::Cell<Real>));
+        });
 #pragma omp for schedule(dynamic, 4) nowait
-            for (long tile = 0; tile < tiles; ++tile) {
-                if (stopped.load(std::memory_order_relaxed)) continue;
+        for (long tile = 0; tile < tiles; ++tile) {
+            if (stopped.load(std::memory_order_relaxed)) continue;
+            failure.guard([&] {
                 kernels::pixel_program<features>(
-                    node, tile_share(scene.crop, across, tile),
+                    *node, tile_share(scene.crop, across, tile),
                     [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
                         PixelRecord& record = result.frame.at(x, y);
                         gather_pixel(scene, block, pixel, record, rays);
@@ -83,16 +88,12 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
                 if (control.progress && omp_get_thread_num() == 0) {
                     control.progress(static_cast<double>(finished) / static_cast<double>(tiles));
                 }
-            }
-        } catch (...) {
-#pragma omp critical(pxm_native_failure)
-            failure = std::current_exception();
-            stopped = true;
+            });
         }
 #pragma omp critical(pxm_native_sum)
         result.rays.add(rays);  // integers: the sum does not depend on the order
     }
-    if (failure) std::rethrow_exception(failure);
+    failure.rethrow();
     result.stopped = stopped;
     result.render_seconds = seconds_since(render_start);
     return result;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "host/error.hpp"
+#include "host/output/spared_inputs.hpp"
 #include "host/render/compile.hpp"
 #include "host/render/link.hpp"
 #include "host/render/overflow.hpp"
@@ -198,6 +199,7 @@ RunControl control_of_part(const RunControl& control, std::size_t part, std::siz
 RenderResult render(const RenderRequest& request, const RunControl& control, const TakeBand& take) {
     PhaseClock clock;
     Prepared prepared = prepare(request);
+    require_spared(request.outputs, inputs_of(prepared.scene));
     const NodeProgram program = link(prepared.compiled);
     if (request.machine) require_fit(program, std::string(request.machine->name));
     const IntersectChoice intersect = intersect_of(prepared, request);

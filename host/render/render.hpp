@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/render/engine.hpp"
 #include "host/render/frame.hpp"
@@ -39,6 +40,7 @@ struct RenderRequest {
     int threads = 1;
     CostModel costs = default_cost_model();  // of the machine
     std::optional<std::uint32_t> cell_cap;   // of studies; absent: that of CompiledScene
+    std::vector<std::string> outputs;  // to be written: none may be what the scene is read from
 };
 
 struct RenderResult {
@@ -56,8 +58,8 @@ struct RenderResult {
 using TakeBand = std::function<void(const RenderResult&)>;
 
 /// Renders. A window whose frame would be large in memory is rendered in bands if there is somebody
-/// to take them; natively only. Throws Error: the scene is wrong (3), a file cannot be read (4),
-/// the machine is too small (5).
+/// to take them; natively only. Throws Error: an output is an input (2), the scene is wrong (3), a
+/// file cannot be read (4), the machine is too small (5).
 [[nodiscard]] RenderResult render(const RenderRequest& request, const RunControl& control,
                                   const TakeBand& take = nullptr);
 

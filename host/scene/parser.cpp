@@ -34,6 +34,16 @@ Position nul_position(const std::string& text, std::size_t nul, int file) {
             static_cast<int>(nul - start) + 1};
 }
 
+/// Whether an included text looks like a scene. Of one that does not, no word is shown: whoever
+/// wrote the scene may have named a file that is not his to read. A text without a word may be a
+/// scene's, and what has NUL bytes is told without being shown.
+bool begins_as_scene(const std::string& text) {
+    const Token first = Lexer(text, 0).next();
+    return first.kind == TokenKind::end || text.find('\0') != std::string::npos ||
+           first.is_word("let") || first.is_word("include") ||
+           (first.kind == TokenKind::word && find_block(first.text) != nullptr);
+}
+
 class SceneParser {
   public:
     SceneParser(Diagnostics& diagnostics, const FileReader& reader)
@@ -139,6 +149,12 @@ void SceneParser::include_file(TokenReader& tokens, const Token& file_token) {
         tokens.report(file_token.position,
                       fmt::format("cannot include \"{}\": {}", printable(file_token.text, 400),
                                   error.what()));
+        return;
+    }
+    if (!begins_as_scene(text)) {
+        tokens.report(file_token.position,
+                      fmt::format("\"{}\" is no scene: it begins with no block, let or include",
+                                  printable(file_token.text, 400)));
         return;
     }
     file(path, path, text);

@@ -14,4 +14,10 @@ namespace pxm::host {
 /// The text with every byte that cannot be shown as '?', cut after about `limit` bytes with "...".
 [[nodiscard]] std::string printable(std::string_view text, std::size_t limit = 40);
 
+/// The same of a text of lines: their ends and tabulators stay, and nothing is cut.
+[[nodiscard]] std::string printable_lines(std::string_view text);
+
+/// A path or a file's name as messages show it: cut only beyond what a system takes as one name.
+[[nodiscard]] std::string printable_path(std::string_view path);
+
 }  // namespace pxm::host

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "host/scene/printable.hpp"
+
 namespace pxm::host {
 
 std::string number_text(double value) {
@@ -23,7 +25,7 @@ std::string number_text(double value) {
 
 std::string escaped(const std::string& text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : printable_lines(text)) {
         switch (c) {
             case '&':
                 result += "&amp;";

@@ -7,9 +7,13 @@
 #include <utility>
 
 #include "host/interrupt.hpp"
+#include "host/output/json_text.hpp"
 #include "host/output/progress.hpp"
 #include "host/output/safe_file.hpp"
+#include "host/scene/printable.hpp"
+#include "host/study/study_files.hpp"
 #include "host/study/unit_store.hpp"
+#include "host/terminal.hpp"
 
 namespace pxm::host {
 
@@ -34,20 +38,21 @@ StudyPlan plan_of(const StudyRequest& request) {
 void make_folder(const std::string& path) {
     std::error_code error;
     if (std::filesystem::exists(path) && !std::filesystem::is_directory(path))
-        throw Error(ExitCode::file, fmt::format("cannot make the folder {}: it is a file", path));
+        throw Error(ExitCode::file,
+                    fmt::format("cannot make the folder {}: it is a file", printable_path(path)));
     std::filesystem::create_directories(path, error);
     if (error) {
-        throw Error(ExitCode::file,
-                    fmt::format("cannot make the folder {}: {}", path, error.message()));
+        throw Error(ExitCode::file, fmt::format("cannot make the folder {}: {}",
+                                                printable_path(path), error.message()));
     }
     require_writable(path + "/data.json");
 }
 
 /// A line a unit where there is no terminal for a bar.
-void tell(const StudyRequest& request, const Progress& progress, std::size_t done, std::size_t all,
-          const std::string& name, double seconds) {
+void tell_unit(const StudyRequest& request, const Progress& progress, std::size_t done,
+               std::size_t all, const std::string& name, double seconds) {
     if (request.quiet || progress.enabled()) return;
-    fmt::print(stderr, "{}/{} {} in {:.1f} s\n", done, all, name, seconds);
+    tell(fmt::format("{}/{} {} in {:.1f} s\n", done, all, name, seconds));
 }
 
 /// The results of all units, those that are stored and those measured now; nothing if a signal
@@ -62,7 +67,7 @@ std::optional<std::vector<Json>> measure_all(const StudyRequest& request, const 
     }
     const std::size_t known = plan.units.size() - missing;
     if (known > 0 && !request.quiet) {
-        fmt::print(stderr, "{} of {} measurements are there already\n", known, plan.units.size());
+        tell(fmt::format("{} of {} measurements are there already\n", known, plan.units.size()));
     }
     Progress progress(request.quiet);
     std::size_t measured = 0;
@@ -86,7 +91,8 @@ std::optional<std::vector<Json>> measure_all(const StudyRequest& request, const 
         ++measured;
         progress.update(static_cast<double>(measured) / static_cast<double>(missing));
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        tell(request, progress, known + measured, results.size(), plan.units[i].name, took.count());
+        tell_unit(request, progress, known + measured, results.size(), plan.units[i].name,
+                  took.count());
     }
     std::vector<Json> all;
     for (std::optional<Json>& result : results) all.push_back(std::move(*result));
@@ -122,10 +128,11 @@ const char* name_of(StudyKind kind) {
 
 ExitCode run_study(const StudyRequest& request) {
     const StudyPlan plan = plan_of(request);
+    require_spared_scenes(request, plan);
     make_folder(request.folder);
     const auto results = measure_all(request, plan);
     if (!results) {
-        if (!request.quiet) fmt::print(stderr, "stopped; the same command goes on from here\n");
+        if (!request.quiet) tell(fmt::format("stopped; the same command goes on from here\n"));
         return signal_exit_code();
     }
     Json data = heading(request);
@@ -133,8 +140,8 @@ ExitCode run_study(const StudyRequest& request) {
     for (const TextFile& table : plan.tables(data))
         write_text_safely(request.folder + "/" + table.name, table.text);
     write_text_safely(request.folder + "/report.html", plan.page(data, request.folder));
-    write_text_safely(request.folder + "/data.json", data.dump(1) + "\n");
-    if (!request.quiet) fmt::print(stderr, "{}/report.html\n", request.folder);
+    write_text_safely(request.folder + "/data.json", json_text(data, 1) + "\n");
+    if (!request.quiet) tell(fmt::format("{}/report.html\n", printable_path(request.folder)));
     return ExitCode::done;
 }
 

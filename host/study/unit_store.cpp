@@ -4,7 +4,9 @@
 #include <fstream>
 
 #include "host/error.hpp"
+#include "host/output/json_text.hpp"
 #include "host/output/safe_file.hpp"
+#include "host/scene/printable.hpp"
 
 namespace pxm::host {
 
@@ -21,7 +23,7 @@ std::optional<Json> UnitStore::find(const std::string& name, const Json& setting
     if (!stored.is_object() || !stored.contains("settings") || !stored.contains("result"))
         return std::nullopt;
     // As text: a number read back is the same text, whatever type it was made from.
-    if (stored["settings"].dump() != settings.dump()) return std::nullopt;
+    if (json_text(stored["settings"]) != json_text(settings)) return std::nullopt;
     return stored["result"];
 }
 
@@ -29,9 +31,10 @@ void UnitStore::put(const std::string& name, const Json& settings, const Json& r
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
     if (error) {
-        throw Error(ExitCode::file, "cannot make the folder " + folder_ + ": " + error.message());
+        throw Error(ExitCode::file,
+                    "cannot make the folder " + printable_path(folder_) + ": " + error.message());
     }
-    write_text_safely(path(name), Json{{"settings", settings}, {"result", result}}.dump() + "\n");
+    write_text_safely(path(name), json_text({{"settings", settings}, {"result", result}}) + "\n");
 }
 
 }  // namespace pxm::host

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
+#include <optional>
 #include <vector>
 
+#include "host/render/first_failure.hpp"
 #include "host/render/scene_block.hpp"
+#include "host/render/threads.hpp"
 #include "host/wide/tile_tracer.hpp"
 
 namespace pxm::host::wide {
@@ -69,18 +71,20 @@ EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
         blocks_of_tiles(scene.crop, wide.aspect_side, choice.threads);
     std::atomic<long> done = 0;
     std::atomic<bool> stopped = false;
-    std::exception_ptr failure;
-#pragma omp parallel num_threads(choice.threads)
+    FirstFailure failure;
+    const int threads = threads_that_start(choice.threads);
+#pragma omp parallel num_threads(threads)
     {
-        try {
-            TileTracer tracer(scene, wide, rest, block, result.frame);
+        std::optional<TileTracer> tracer;
+        failure.guard([&] { tracer.emplace(scene, wide, rest, block, result.frame); });
 #pragma omp for schedule(dynamic) nowait
-            for (std::size_t i = 0; i < blocks.size(); ++i) {
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            failure.guard([&] {
                 const TileBlock& tiles = blocks[i];
                 for (long top = tiles.y0; top < tiles.y1; top += tile_side) {
                     for (long left = tiles.x0; left < tiles.x1; left += tile_side) {
                         if (control.stop && *control.stop) stopped = true;
-                        if (!stopped.load(std::memory_order_relaxed)) tracer.render(left, top);
+                        if (!stopped.load(std::memory_order_relaxed)) tracer->render(left, top);
                     }
                 }
                 const long finished = ++done;
@@ -88,16 +92,15 @@ EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
                     control.progress(static_cast<double>(finished) /
                                      static_cast<double>(blocks.size()));
                 }
-            }
-#pragma omp critical(pxm_wide_sum)
-            { result.rays.add(tracer.finish()); }
-        } catch (...) {
-#pragma omp critical(pxm_wide_failure)
-            failure = std::current_exception();
-            stopped = true;
+            });
         }
+        failure.guard([&] {
+            const RayStatistics rays = tracer->finish();
+#pragma omp critical(pxm_wide_sum)
+            result.rays.add(rays);
+        });
     }
-    if (failure) std::rethrow_exception(failure);
+    failure.rethrow();
     result.stopped = stopped;
     result.render_seconds = seconds_since(render_start);
     return result;

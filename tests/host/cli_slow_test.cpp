@@ -1,8 +1,9 @@
-// Laws of Ctrl-C and SIGTERM: soon, 130 or 143, and no file.
+// Laws of the signals that end a run: soon, 128 and their number, and no file.
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <string>
 #include <thread>
 
@@ -40,7 +41,7 @@ class Interrupted : public testing::TestWithParam<int> {
         program.send(GetParam());
         const Outcome outcome = program.wait(soon_seconds);
         EXPECT_FALSE(outcome.timed_out) << arguments.back();
-        EXPECT_EQ(outcome.exit_code, GetParam() == SIGTERM ? 143 : 130) << arguments.back();
+        EXPECT_EQ(outcome.exit_code, 128 + GetParam()) << arguments.back();
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(folder.contents(), before);
     }
@@ -71,11 +72,21 @@ TEST_P(Interrupted, a_large_scene_that_is_still_being_prepared) {
               std::chrono::milliseconds(300));
 }
 
-INSTANTIATE_TEST_SUITE_P(BySignal, Interrupted, testing::Values(SIGINT, SIGTERM),
+INSTANTIATE_TEST_SUITE_P(BySignal, Interrupted, testing::Values(SIGINT, SIGTERM, SIGHUP, SIGXCPU),
                          [](const auto& test) {
-                             return test.param == SIGINT ? std::string("SIGINT")
-                                                         : std::string("SIGTERM");
+                             return std::string("SIG") + sigabbrev_np(test.param);
                          });
+
+TEST(Nohup, a_signal_that_is_ignored_stays_ignored) {
+    const Folder folder;
+    folder.write("grass.pxm", grass_scene);
+    const Outcome outcome = run_shell(
+        folder,
+        "trap '' HUP; $PXM render grass.pxm --size 40x20 -o a.png --quiet & sleep 0.2; kill -HUP "
+        "$!; wait $!");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(folder.has("a.png"));
+}
 
 }  // namespace
 }  // namespace pxm::test

@@ -1,12 +1,12 @@
 #include "tests/support/command.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cstdlib>
 
 #include "host/cli.hpp"
+#include "host/terminal.hpp"
 
 namespace pxm::test {
 
@@ -81,10 +81,12 @@ int exit_code(const Arguments& arguments) {
     for (const std::string& argument : arguments) words.push_back(argument.c_str());
     words.push_back(nullptr);
     try {
-        return static_cast<int>(
-            host::run_command_line(static_cast<int>(words.size()) - 1, words.data()));
+        const host::ExitCode code =
+            host::run_command_line(static_cast<int>(words.size()) - 1, words.data());
+        host::finish_results();
+        return static_cast<int>(code);
     } catch (const host::Error& error) {
-        fmt::print(stderr, "pxm: {}\n", error.what());
+        host::tell(std::string("pxm: ") + error.what() + "\n");
         return static_cast<int>(error.code());
     }
 }

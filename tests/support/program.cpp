@@ -45,8 +45,12 @@ Environment child_environment(const Environment& additions) {
 }  // namespace
 
 Process::Process(const Folder& folder, const Arguments& arguments, const Environment& environment)
+    : Process(folder, binary, arguments, environment) {}
+
+Process::Process(const Folder& folder, const std::string& program, const Arguments& arguments,
+                 const Environment& environment)
     : out_(std::tmpfile(), &std::fclose), err_(std::tmpfile(), &std::fclose) {
-    std::vector<std::string> words{"pxm"};
+    std::vector<std::string> words{fs::path(program).filename().string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<std::string> variables = child_environment(environment);
     posix_spawn_file_actions_t actions;
@@ -55,10 +59,10 @@ Process::Process(const Folder& folder, const Arguments& arguments, const Environ
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, fileno(out_.get()), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, fileno(err_.get()), STDERR_FILENO);
-    const int error = posix_spawn(&pid_, binary.c_str(), &actions, nullptr, pointers(words).data(),
+    const int error = posix_spawn(&pid_, program.c_str(), &actions, nullptr, pointers(words).data(),
                                   pointers(variables).data());
     posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) throw std::runtime_error("cannot start " + binary);
+    if (error != 0) throw std::runtime_error("cannot start " + program);
 }
 
 Process::~Process() {
@@ -107,6 +111,10 @@ Outcome Process::wait(double limit_seconds) {
 Outcome run_program(const Folder& folder, const Arguments& arguments,
                     const Environment& environment) {
     return Process(folder, arguments, environment).wait(patience_seconds);
+}
+
+Outcome run_shell(const Folder& folder, const std::string& script) {
+    return Process(folder, "/bin/sh", {"-c", script}, {"PXM=" + binary}).wait(patience_seconds);
 }
 
 }  // namespace pxm::test

@@ -29,6 +29,9 @@ using Environment = std::vector<std::string>;
 class Process {
   public:
     Process(const Folder& folder, const Arguments& arguments, const Environment& environment = {});
+    /// Of another program, by its path.
+    Process(const Folder& folder, const std::string& program, const Arguments& arguments,
+            const Environment& environment);
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
@@ -45,6 +48,9 @@ class Process {
     File out_;
     File err_;
 };
+
+/// Runs a script of /bin/sh in the folder to its end, with the program's path in $PXM.
+[[nodiscard]] Outcome run_shell(const Folder& folder, const std::string& script);
 
 /// Runs the program in the folder to its end. SOURCE_DATE_EPOCH and NO_COLOR are not inherited.
 [[nodiscard]] Outcome run_program(const Folder& folder, const Arguments& arguments,

@@ -1,0 +1,47 @@
+// Where OpenImageIO's writers put their bytes. Most of them do not look at what becomes of a write:
+// a full disk would be a picture without its end. Those that take a place to write to get one that
+// remembers the first write that failed; what the others wrote is read back and compared.
+#pragma once
+
+#include <OpenImageIO/filesystem.h>
+
+#include <cstdint>
+#include <string>
+
+#include "host/output/checked_file.hpp"
+
+namespace pxm::host {
+
+/// A place to write to, over a file that checks every write. Used by one thread.
+class ImageSink : public OIIO::Filesystem::IOProxy {
+  public:
+    /// `file` must outlive it.
+    ImageSink(CheckedFile& file, const std::string& name)
+        : IOProxy(name, IOProxy::Write), file_(file) {}
+
+    [[nodiscard]] const char* proxytype() const override { return "pxm"; }
+    std::size_t read(void* data, std::size_t bytes) override;
+    std::size_t write(const void* data, std::size_t bytes) override;
+    std::size_t pread(void* data, std::size_t bytes, std::int64_t place) override;
+    std::size_t pwrite(const void* data, std::size_t bytes, std::int64_t place) override;
+    [[nodiscard]] std::size_t size() const override;
+
+  private:
+    CheckedFile& file_;
+};
+
+/// The rows of a picture of three channels of 8 bits, while they are written.
+class RowDigest {
+  public:
+    void add(const unsigned char* bytes, std::size_t count);
+    [[nodiscard]] std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 0xcbf2'9ce4'8422'2325;  // FNV-1a
+};
+
+/// Why the picture in that file is not the one that was written; empty if it is.
+[[nodiscard]] std::string why_not_as_written(const std::string& path, int width, int height,
+                                             const RowDigest& rows);
+
+}  // namespace pxm::host

@@ -1,0 +1,214 @@
+// Laws of the program among full disks, closed descriptors, devices and small limits: what is told
+// as done is there, what is not there is told.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include "host/output/image.hpp"
+#include "tests/support/command.hpp"
+
+namespace pxm::test {
+namespace {
+
+/// Warns: the second object hides in the first.
+const char* const warning_scene =
+    "ifs a { newmap scale: 0.5 translate: 3,0,0 newmap scale: 0.5 }\n"
+    "object o { sphere: (0,0,0) 0.1 ifs: a }\n";
+
+class ProgramFiles : public testing::Test {
+  protected:
+    ProgramFiles() {
+        folder.write("tetra.pxm", tetra_scene);
+        folder.write("warn.pxm", warning_scene);
+        folder.write("f.ifs", "b { .5 0 0 .5 0 0 .5 .5 0 0 .5 1 0 .5 }");
+    }
+    [[nodiscard]] Outcome shell(const std::string& script) const {
+        return run_shell(folder, script);
+    }
+    /// The exit code alone, of one run of the program with what the shell makes of it.
+    void expect(const std::string& script, int exit_code, const std::string& message) const {
+        const Outcome outcome = shell("$PXM " + script);
+        EXPECT_EQ(outcome.exit_code, exit_code) << script << "\n" << outcome.err;
+        EXPECT_EQ(outcome.err, message) << script;
+    }
+    Folder folder;
+};
+
+constexpr const char* full = "pxm: cannot write to the standard output: No space left on device\n";
+constexpr const char* closed = "pxm: cannot write to the standard output: Bad file descriptor\n";
+
+TEST_F(ProgramFiles, results_that_nobody_takes_are_code_4) {
+    ASSERT_EQ(shell("$PXM render tetra.pxm --size 8x8 -o a.exr --quiet").exit_code, 0);
+    for (const char* command :
+         {"models", "models --json", "models --token 964", "inspect tetra.pxm",
+          "inspect tetra.pxm --json", "compare a.exr a.exr", "import f.ifs -o -",
+          "render tetra.pxm --size 8x8 --pixel 4,4", "--help", "--version"}) {
+        expect(std::string(command) + " > /dev/full", 4, full);
+        expect(std::string(command) + " >&-", 4, closed);
+    }
+}
+
+TEST_F(ProgramFiles, a_pipe_without_a_reader_is_told_too) {
+    const Outcome outcome = shell("{ sleep 0.2; $PXM models; echo $? > code; } | exec true");
+    EXPECT_EQ(folder.read("code"), "4\n");
+    EXPECT_EQ(outcome.err, "pxm: cannot write to the standard output: Broken pipe\n");
+}
+
+TEST_F(ProgramFiles, no_descriptor_that_is_closed_becomes_a_file_of_ours) {
+    const std::string render = "$PXM render warn.pxm --size 64x64 --stats s.json -o ";
+    ASSERT_EQ(shell(render + "a.png").exit_code, 0);
+    for (const char* closing : {"2>&-", ">&-", "<&-", "<&- >&- 2>&-"}) {
+        EXPECT_EQ(shell(render + "b.png " + closing).exit_code, 0) << closing;
+        EXPECT_TRUE(folder.read("b.png") == folder.read("a.png")) << closing;
+        std::filesystem::remove(folder.path("b.png"));
+    }
+}
+
+TEST_F(ProgramFiles, messages_that_nobody_takes_end_nothing) {
+    const std::string render = "$PXM render warn.pxm --size 64x64 --stats s.json -o a.png ";
+    for (const char* lost : {"2>/dev/full", "2>&1 | exec true"}) {
+        std::filesystem::remove(folder.path("s.json"));
+        (void)shell(render + lost);
+        EXPECT_TRUE(folder.has("s.json")) << lost << ": it is written last";
+    }
+    EXPECT_EQ(shell(render + "2>/dev/full").exit_code, 0);
+    EXPECT_EQ(shell("$PXM render none.pxm 2>/dev/full").exit_code, 4);
+}
+
+TEST_F(ProgramFiles, devices_and_links_stay_what_they_are) {
+    const Outcome outcome = shell(
+        "ln -s real.json link.json; mkfifo pipe; cat pipe > got & "
+        "$PXM render tetra.pxm --size 8x8 -o a.png --quiet --stats /dev/null && "
+        "$PXM render tetra.pxm --size 8x8 -o a.png --quiet --stats link.json && "
+        "$PXM points tetra.pxm -n 1000 -o pipe --quiet && wait && "
+        "$PXM inspect tetra.pxm -o /dev/stdout | head -1; stat -c %F /dev/null link.json pipe");
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out, "tetra.pxm\ncharacter special file\nsymbolic link\nfifo\n");
+    EXPECT_TRUE(folder.has("real.json"));
+    EXPECT_GT(folder.read("got").size(), 15'000U);
+}
+
+TEST_F(ProgramFiles, what_a_killed_run_left_is_removed_by_the_next) {
+    folder.write("grass.pxm",
+                 "ifs grass { newmap scale: 0.707,0.96,0.707 rotate: y,45 translate: -1,0,0\n"
+                 "newmap scale: 0.707,0.96,0.707 rotate: y,45 translate: 1,0,0 }\n");
+    folder.write("left", "");
+    // A pipe without a reader keeps a run waiting, its picture whole beside.
+    const Outcome killed = shell(
+        "mkfifo pipe.png; TMPDIR=. $PXM render tetra.pxm --size 8x8 -o pipe.png --quiet & "
+        "while ! ls .pxm-part-* > /dev/null 2>&1; do sleep 0.05; done; kill -9 $!; wait $!; "
+        "ls .pxm-part-* | wc -l; $PXM render tetra.pxm --size 8x8 -o a.png --quiet; "
+        "ls .pxm-part-* | wc -l");
+    EXPECT_EQ(killed.out, "1\n0\n");
+    EXPECT_TRUE(folder.has("a.png"));
+}
+
+TEST_F(ProgramFiles, a_run_that_lives_keeps_its_part_while_others_come_and_go) {
+    const Outcome both = shell(
+        "mkfifo pipe.png; TMPDIR=. $PXM render tetra.pxm --size 8x8 -o pipe.png --quiet & "
+        "while ! ls .pxm-part-* > /dev/null 2>&1; do sleep 0.05; done; "
+        "$PXM render tetra.pxm --size 8x8 -o a.png --quiet; cat pipe.png > b.png; wait $!; "
+        "echo $?; ls -A | grep -c part");
+    EXPECT_EQ(both.out, "0\n0\n") << both.err;
+    EXPECT_TRUE(folder.read("b.png") == folder.read("a.png"));
+}
+
+/// Whether the system lets a test have namespaces of its own, in which it mounts and is process 1.
+class OwnNamespaces : public ProgramFiles {
+  protected:
+    void SetUp() override {
+        const std::string test = " -m -p -f sh -c 'mkdir -p m && mount -t tmpfs none m'";
+        for (const char* start : {"unshare", "unshare -U -r"}) {
+            if (shell(start + test).exit_code != 0) continue;
+            unshare = std::string(start) + " -m -p -f ";
+            return;
+        }
+        GTEST_SKIP() << "no namespaces: " << shell("unshare -U -r" + test).err;
+    }
+    std::string unshare;
+};
+
+TEST_F(OwnNamespaces, a_full_disk_keeps_the_picture_of_before_and_no_part) {
+    for (const char* format : {"png", "exr", "tif", "jpg", "bmp", "gif", "tga", "sgi", "fits",
+                               "jp2", "hdr", "ppm", "webp"}) {
+        folder.write("script", "mount -t tmpfs -o size=12k none m && echo old > m/o." +
+                                   std::string(format) +
+                                   " && $PXM render tetra.pxm --size 320x240 --quiet -o m/o." +
+                                   format + "; echo $?; cat m/o.* && ls -A m");
+        const Outcome outcome = shell(unshare + "sh script");
+        EXPECT_EQ(outcome.out, "4\nold\no." + std::string(format) + "\n");
+        EXPECT_EQ(outcome.err.rfind("pxm: cannot write m/o." + std::string(format) + ": ", 0), 0U)
+            << outcome.err;
+    }
+}
+
+TEST_F(OwnNamespaces, two_runs_that_are_both_process_1_write_into_one_folder) {
+    const std::string render = unshare + "$PXM render tetra.pxm --quiet --size ";
+    ASSERT_EQ(shell(render + "1000x4000 -o a.png").exit_code, 0);
+    ASSERT_EQ(shell(render + "1200x4000 -o b.png").exit_code, 0);
+    const Outcome both = shell("(" + render + "1000x4000 -o c.png) & (" + render +
+                               "1200x4000 -o d.png); wait $! && echo done");
+    EXPECT_EQ(both.out, "done\n") << both.err;
+    EXPECT_TRUE(folder.read("c.png") == folder.read("a.png"));
+    EXPECT_TRUE(folder.read("d.png") == folder.read("b.png"));
+}
+
+TEST_F(ProgramFiles, out_of_memory_is_code_1_with_a_message_in_every_engine) {
+    for (const char* engine : {"--intersect wide", "--intersect heap", "--numeric double",
+                               "--machine 964dX", "--covers area"}) {
+        int refused = 0;
+        for (int megabytes = 600; megabytes <= 1400; megabytes += 100) {
+            const std::string limited = "ulimit -v " + std::to_string(megabytes * 1024) + "; ";
+            if (shell(limited + "$PXM --version").exit_code != 0) continue;  // too little to start
+            const Outcome outcome =
+                shell(limited +
+                      "$PXM render tetra.pxm --size 4000x4000 --crop 0,0,4000,2000 "
+                      "--levels 0 --quiet -o a.exr --threads 4 " +
+                      engine);
+            const bool told = outcome.exit_code == 1 && outcome.err.starts_with("pxm: ");
+            EXPECT_TRUE(told || outcome.exit_code == 0)
+                << engine << " " << megabytes << ": " << outcome.exit_code << " " << outcome.err;
+            refused += told;
+            if (outcome.exit_code == 0) break;
+        }
+    }
+}
+
+TEST_F(ProgramFiles, threads_that_cannot_start_are_done_without) {
+    const std::string render = "$PXM render tetra.pxm --size 64x64 --quiet ";
+    ASSERT_EQ(shell(render + "-o a.png").exit_code, 0);
+    for (const char* engine : {"", "--intersect heap", "--machine 964dX"}) {
+        const Outcome outcome = shell("ulimit -v 3000000; " + render + "--threads 1024 -o b.png " +
+                                      engine);  // their stacks alone want 8 GB
+        EXPECT_EQ(outcome.exit_code, 0) << engine << outcome.err;
+        EXPECT_TRUE(folder.read("b.png") == folder.read("a.png")) << engine;
+    }
+}
+
+TEST_F(ProgramFiles, a_small_stack_changes_nothing) {
+    std::string deep = "let x = ";
+    for (int i = 0; i < 5000; ++i) deep += "(";
+    folder.write("deep.pxm", deep);
+    std::string ring = "ifs ring {\n";
+    for (int i = 0; i < 3000; ++i) {
+        ring += "newmap m" + std::to_string(i) +
+                " scale: 0.4 translate: " + std::to_string(i % 50) + "," + std::to_string(i / 50) +
+                ",0\n";
+    }
+    folder.write("ring.pxm", ring + "}\n");
+    const std::string render = "$PXM render ring.pxm --size 32x32 --quiet --threads 3 -o ";
+    ASSERT_EQ(shell(render + "a.png").exit_code, 0);
+    for (const char* stack : {"ulimit -s 256; ", "ulimit -S -s 256; ", "ulimit -s unlimited; "}) {
+        const Outcome refused = shell(stack + std::string("$PXM inspect deep.pxm"));
+        EXPECT_EQ(refused.exit_code, 3) << stack << refused.err;
+        const Outcome outcome = shell(stack + render + "b.png");
+        EXPECT_EQ(outcome.exit_code, 0) << stack << outcome.err;
+        EXPECT_TRUE(folder.read("b.png") == folder.read("a.png")) << stack;
+        EXPECT_EQ(shell(stack + std::string("$PXM inspect ring.pxm > /dev/null")).exit_code, 0);
+    }
+}
+
+}  // namespace
+}  // namespace pxm::test
