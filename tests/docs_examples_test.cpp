@@ -1,6 +1,8 @@
-// Every example of a scene in docs/ (a block fenced as ```pxm) is a scene without mistakes.
+// Every example of a scene in README.md and docs/ (a block fenced as ```pxm) is a scene without
+// mistakes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -8,6 +10,7 @@
 
 #include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
+#include "tests/support/folder.hpp"
 #include "tests/support/paths.hpp"
 
 namespace pxm::test {
@@ -42,7 +45,7 @@ std::vector<Example> examples_in(const fs::path& path) {
 }
 
 std::vector<Example> all_examples() {
-    std::vector<Example> examples;
+    std::vector<Example> examples = examples_in(fs::path(source_dir) / "README.md");
     for (const auto& entry : fs::directory_iterator(fs::path(source_dir) / "docs"))
         if (entry.path().extension() == ".md")
             for (Example& example : examples_in(entry.path()))
@@ -52,6 +55,14 @@ std::vector<Example> all_examples() {
 
 TEST(DocsExamples, the_scene_language_is_documented_by_examples) {
     EXPECT_GE(examples_in(fs::path(source_dir) / "docs" / "scene-language.md").size(), 8U);
+}
+
+TEST(DocsExamples, the_readme_shows_the_scene_of_its_picture_in_six_lines) {
+    const std::vector<Example> shown = examples_in(fs::path(source_dir) / "README.md");
+    ASSERT_EQ(shown.size(), 1U);
+    EXPECT_EQ(std::ranges::count(shown[0].text, '\n'), 6);
+    const std::string file = text_of(fs::path(source_dir) / "scenes/fir.pxm");
+    EXPECT_EQ(file.substr(file.find('\n') + 1), shown[0].text) << "below its first comment";
 }
 
 TEST(DocsExamples, every_example_is_a_scene_without_mistakes) {
