@@ -114,12 +114,13 @@ HWY_INLINE std::uint32_t places_in(const BeamWorkspace& work, const CellShadow& 
                                 return hn::Le(square, hn::Set(d, 1.0F));
                             });
     }
+    constexpr float outermost = 1 + 0x1p-16F;  // no place is lost between boxes that touch
     return places_where(work, beam, shadow.column, shadow.row, shadow.spread,
                         [&](auto d, auto x, auto y) HWY_ATTR {
                             const auto inside = [&](int i) HWY_ATTR {
                                 const auto aside = hn::Add(hn::Mul(x, hn::Set(d, form[2 * i])),
                                                            hn::Mul(y, hn::Set(d, form[2 * i + 1])));
-                                return hn::Le(hn::Abs(aside), hn::Set(d, 1.0F));
+                                return hn::Le(hn::Abs(aside), hn::Set(d, outermost));
                             };
                             return hn::And(hn::And(inside(0), inside(1)), inside(2));
                         });

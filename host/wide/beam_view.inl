@@ -71,8 +71,9 @@ template <class D, class V = hn::VFromD<D>>
 HWY_INLINE LaneSpan<V> span_of(D d, V low, V high, double from, double to) {
     constexpr double middle = tile_side / 2.0;
     constexpr double last = tile_side - 1.0;
-    const V first = hn::Ceil(hn::Add(low, hn::Set(d, middle - to)));
-    const V end = hn::Floor(hn::Add(high, hn::Set(d, middle - from)));
+    constexpr double rounding = 1e-6;  // of a pixel: cells that touch leave none between them
+    const V first = hn::Ceil(hn::Add(low, hn::Set(d, middle - to - rounding)));
+    const V end = hn::Floor(hn::Add(high, hn::Set(d, middle - from + rounding)));
     // An empty span stays empty: whole numbers just outside will do.
     return {hn::Min(hn::Max(first, hn::Zero(d)), hn::Set(d, last + 1)),
             hn::Max(hn::Min(end, hn::Set(d, last)), hn::Set(d, -1.0))};
@@ -165,9 +166,11 @@ HWY_INLINE void cast_cells(D d, const LanePlace<V>& place, const Lanes3<V>& axes
                           HWY_ATTR { return hn::Abs(hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx))); };
     const V yz = area(x.y, y.y, x.z, y.z), zx = area(x.z, y.z, x.x, y.x),
             xy = area(x.x, y.x, x.y, y.y);
-    // Beside an edge lies all that the other two edges reach.
+    // Beside an edge lies all that the other two edges reach; one that is seen end on bounds
+    // nothing.
     const auto edge = [&](int i, V ax, V ay, V reach) HWY_ATTR {
-        const V inverse = hn::Div(one, reach);
+        const auto seen = hn::Lt(hn::Zero(d), reach);
+        const V inverse = hn::IfThenElseZero(seen, hn::Div(one, reach));
         put(2 * i, hn::Neg(hn::Mul(ay, inverse)));
         put(2 * i + 1, hn::Mul(ax, inverse));
     };

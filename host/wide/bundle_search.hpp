@@ -119,7 +119,8 @@ struct Found {
     int lane = 0;
     double depth = 0;
     std::uint32_t tested = 0;  // volumes tested for this ray alone
-    bool given_up = false;     // too many of them
+    bool given_up =
+        false;  // too many of them, or it lies in the face of a box: for the clear kernels
 
     /// Nothing found yet; `below` is left as it is.
     void clear() {
@@ -193,6 +194,7 @@ struct OpenedCell : MetCells {
     std::uint32_t levels_left;
     float constant;  // Lipschitz constant of the composed map
     int set;
+    bool in_face;  // the ray lies in the face of a box: floats cannot tell what it meets
 };
 
 /// A start cell as the bundle's rays see it, and what the rays below it need.

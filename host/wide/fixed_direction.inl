@@ -69,7 +69,9 @@ HWY_INLINE void open_below(const WideScene& scene, const Ray& ray, const PlaceBe
     cell.count = cells.count;
     cell.waiting = 0;
     cell.terminal = 0;
+    cell.in_face = false;
     ray.test(at, cells, cell);
+    if (cell.in_face) found.given_up = true;
     if (cell.levels_left == static_cast<std::uint32_t>(cell.table->steps)) {
         cell.terminal = ~std::uint64_t{0};
     }
@@ -85,6 +87,7 @@ inline bool follow_fixed(const WideScene& scene, Workspace& work, Ray& ray, cons
     open_below(scene, ray, first, work.opened[0], found);
     bool improved = false;
     while (true) {
+        if (found.given_up) return improved;
         OpenedCell& cell = work.opened[static_cast<std::size_t>(depth)];
         const int i = nearest_waiting(cell, ray.best);
         if (i < 0) {

@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -112,6 +113,26 @@ struct BallRay : FixedRay {
 
 struct BoxRay : FixedRay {
     float pace[3];  // depth per unit of each axis
+    /// A ray that hardly moves along an axis lies in a face across it if, where it is measured
+    /// from, it is nearer to it than so much, in depth; -1 along other axes.
+    float room[3] = {};
+    float touching = 0;     // of depth, that rounding may part boxes by that touch in an edge
+    bool parallel = false;  // to some faces
+
+    /// Fills in what follows from the pace.
+    HWY_INLINE void know_faces() {
+        constexpr float rounding = 0x1p-20F;  // of the start cell's half width: where a ray is
+        const float x = std::abs(pace[0]), y = std::abs(pace[1]), z = std::abs(pace[2]);
+        const float passing = std::min(std::min(x, y), z);
+        const float slowest = passing * static_cast<float>(1 / slowest_share);
+        touching = 4 * rounding * passing;
+        parallel = slowest < std::max(std::max(x, y), z);
+        if (!parallel) return;
+        for (int k = 0; k < 3; ++k) {
+            const float along = std::abs(pace[k]);
+            room[k] = slowest < along ? rounding * along + 2 * passing : -1;
+        }
+    }
 
     [[nodiscard]] static bool has_lists() { return false; }
     HWY_INLINE static ListedCells cells_of(const PlaceBelow& /*at*/, int /*set*/,
@@ -136,7 +157,16 @@ struct BoxRay : FixedRay {
             const V exit =
                 hn::Min(hn::Min(hn::Add(x, half_x), hn::Add(y, half_y)), hn::Add(z, half_z));
             keep_places(d, i, x, y, z, size, opened);
-            note_met(d, *this, cells, i, key, exit, hn::Le(key, exit), opened);
+            const auto met = hn::Le(key, hn::Add(exit, hn::Set(d, touching)));
+            note_met(d, *this, cells, i, key, hn::Max(key, exit), met, opened);
+            if (!parallel) continue;
+            const auto near = [&](V center, V reach, float within) HWY_ATTR {
+                return hn::Le(hn::Abs(hn::Sub(hn::Abs(center), reach)), hn::Set(d, within));
+            };
+            const auto here = hn::FirstN(d, static_cast<std::size_t>(cells.count - i));
+            const auto in_face = hn::Or(hn::Or(near(x, half_x, room[0]), near(y, half_y, room[1])),
+                                        near(z, half_z, room[2]));
+            if (!hn::AllFalse(d, hn::And(here, in_face))) opened.in_face = true;
         }
     }
     [[nodiscard]] float deepest(const PlaceBelow& at) const {

@@ -72,7 +72,9 @@ HWY_INLINE void follow_rays(Workspace& work, const StartBelow& start, int index,
         const auto best = static_cast<float>((work.best[at] - start.base) * per_length);
         if (!(keys[i] < best)) continue;
         float depth = keys[i];
-        if (!follow(i, best, depth, found)) continue;
+        const bool improved = follow(i, best, depth, found);
+        if (found.given_up) leave_ray(work, i);
+        if (found.given_up || !improved) continue;
         note_found(work, i, index, start.base + static_cast<double>(depth) * start.length);
     }
 }

@@ -37,7 +37,8 @@ class GridWalk {
 
     /// From the start cell on, whose centre's planes the ray passes at `center`: the nearest
     /// terminal cell that is nearer than the ray's best. True, and `found` and `depth` changed, if
-    /// there is one.
+    /// there is one. `parallel`: the ray may lie in faces.
+    template <bool parallel>
     bool follow(const FixedCell& start, const float* center, float entry, std::uint32_t levels_left,
                 Found& found, float& depth) {
         enter(start.set, center, ray_.pace, static_cast<float>(start.constant), entry);
@@ -45,6 +46,12 @@ class GridWalk {
             WalkedCell& cell = cells_[static_cast<std::size_t>(level_)];
             const HomothetyTable& table = cell.set->children;
             cell.lane = cell.set->grid.lane_at(cell.slice);
+            if constexpr (parallel) {
+                if (in_face(cell)) {
+                    found.given_up = true;
+                    return false;
+                }
+            }
             if (cell.lane >= 0) {
                 ++found.tested;
                 if (found.tested >= scene_.cell_cap) found.given_up = true;
@@ -87,7 +94,26 @@ class GridWalk {
             key = std::max(key, center_[k] - half);
             exit = std::min(exit, center_[k] + half);
         }
-        return key <= exit;
+        return key <= exit + ray_.touching;
+    }
+    /// Whether the ray lies in a face of the slice that it has come to, or of the child there.
+    [[nodiscard]] bool in_face(const WalkedCell& cell) const {
+        for (int k = 0; k < 3; ++k) {
+            if (ray_.room[k] < 0) continue;
+            const auto near = [&](float plane) {
+                return std::abs(cell.center[k] + cell.reach[k] * plane) <= ray_.room[k];
+            };
+            if (near(cell.set->grid.plane(k, cell.slice[k])) ||
+                near(cell.set->grid.plane(k, cell.slice[k] + 1))) {
+                return true;
+            }
+            if (cell.lane < 0) continue;
+            const HomothetyTable& table = cell.set->children;
+            const float middle = table.rows.row(k)[cell.lane];
+            const float half = table.rows.row(HomothetyTable::scale)[cell.lane];
+            if (near(middle - half) || near(middle + half)) return true;
+        }
+        return false;
     }
     /// Goes into the child that meets() has looked at.
     void go_inside(const WalkedCell& cell, const HomothetyTable& table, float key) {

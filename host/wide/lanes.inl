@@ -138,6 +138,29 @@ HWY_INLINE LaneInterval<V> in_unit_cube(D d, const Lanes3<V>& origin, const Lane
     return {max3(x.key, y.key, z.key), hn::Min(hn::Min(x.exit, y.exit), z.exit)};
 }
 
+/// A line that moves along an axis by less than this share of what it moves along another is seen
+/// as parallel to the faces across that axis.
+inline constexpr double slowest_share = 0x1p-10;
+
+/// Lines that lie in a face of the cube [-1,1]^3, or so near to one that rounding decides whether
+/// they are in the cube: within `room` of it while they pass.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE auto in_cube_face(D d, const Lanes3<V>& origin, const Lanes3<V>& direction,
+                             const Lanes3<V>& room) {
+    using T = hn::TFromD<D>;
+    const Lanes3<V> speed{hn::Abs(direction.x), hn::Abs(direction.y), hn::Abs(direction.z)};
+    const V fastest = max3(speed.x, speed.y, speed.z);
+    const V slowest = hn::Mul(fastest, hn::Set(d, static_cast<T>(slowest_share)));
+    const V passing = hn::Div(hn::Set(d, T(2)), fastest);  // the cube, from one face to another
+    const auto axis = [&](V o, V s, V near) HWY_ATTR {
+        const V from_face = hn::Abs(hn::Sub(hn::Abs(o), hn::Set(d, T(1))));
+        const V drift = hn::Mul(s, passing);
+        return hn::And(hn::Lt(s, slowest), hn::Le(from_face, hn::Add(near, drift)));
+    };
+    return hn::Or(hn::Or(axis(origin.x, speed.x, room.x), axis(origin.y, speed.y, room.y)),
+                  axis(origin.z, speed.z, room.z));
+}
+
 /// The outward normal of the cube's face at depth t of the line, up to its length: the first axis
 /// whose slab begins (ends) there.
 template <class D, class V = hn::VFromD<D>>

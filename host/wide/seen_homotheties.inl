@@ -129,6 +129,8 @@ struct BoxLevels {
         Lanes3<V> origin;      // where they pass the start cell's base
         Lanes3<V> pace;        // depth per unit of each axis
         Lanes3<V> half;        // its size
+        Lanes3<V> slow;        // half, along axes that the rays hardly move along; else 0
+        bool parallel;         // to some faces
         Lanes3<V> normals[3];  // of the faces where they enter, in the bundle's frame
     };
     template <class V>
@@ -166,7 +168,30 @@ struct BoxLevels {
         axis(0, rays.origin.x, rays.pace.x, rays.half.x);
         axis(1, rays.origin.y, rays.pace.y, rays.half.y);
         axis(2, rays.origin.z, rays.pace.z, rays.half.z);
+        const V fastest = hn::Min(hn::Min(rays.half.x, rays.half.y), rays.half.z);
+        const V slowest = hn::Mul(fastest, hn::Set(d, static_cast<T>(1 / slowest_share)));
+        const auto slow = [&](V half)
+                              HWY_ATTR { return hn::IfThenElseZero(hn::Lt(slowest, half), half); };
+        rays.slow = {slow(rays.half.x), slow(rays.half.y), slow(rays.half.z)};
+        const V any = max3(rays.slow.x, rays.slow.y, rays.slow.z);
+        rays.parallel = !hn::AllFalse(d, hn::Lt(hn::Zero(d), any));
         return rays;
+    }
+    /// Rays so near to a face that they hardly leave it while they pass.
+    template <class D, class V = hn::VFromD<D>>
+    static HWY_INLINE auto in_face(D d, const Cell<V>& cell, const Rays<V>& ray) {
+        using T = hn::TFromD<D>;
+        const V fastest = hn::Min(hn::Min(ray.half.x, ray.half.y), ray.half.z);
+        const auto axis = [&](V center, V origin, V slow) HWY_ATTR {
+            const V aside = hn::Abs(hn::Sub(hn::Abs(hn::Sub(center, origin)), cell.size));
+            const V drift = hn::Mul(cell.size, hn::Add(fastest, fastest));
+            const V room = hn::Mul(cell.size, hn::Set(d, static_cast<T>(face_room)));
+            return hn::And(hn::Lt(hn::Zero(d), slow),
+                           hn::Le(hn::Mul(hn::Sub(aside, room), slow), drift));
+        };
+        return hn::Or(hn::Or(axis(cell.center.x, ray.origin.x, ray.slow.x),
+                             axis(cell.center.y, ray.origin.y, ray.slow.y)),
+                      axis(cell.center.z, ray.origin.z, ray.slow.z));
     }
     template <class D, class V = hn::VFromD<D>>
     static HWY_INLINE Cell<V> shared(D d, const hn::TFromD<D>* row) {
@@ -189,8 +214,9 @@ struct BoxLevels {
         const auto x = slab(cell.center.x, ray.origin.x, ray.pace.x, ray.half.x);
         const auto y = slab(cell.center.y, ray.origin.y, ray.pace.y, ray.half.y);
         const auto z = slab(cell.center.z, ray.origin.z, ray.pace.z, ray.half.z);
-        const V key = max3(x.key, y.key, z.key);
+        V key = max3(x.key, y.key, z.key);
         const V exit = hn::Min(hn::Min(x.exit, y.exit), z.exit);
+        if (ray.parallel) key = hn::IfThenElse(in_face(d, cell, ray), hn::NaN(d), key);
         const bool enters = side == PathSide::entry;
         const auto is_x = enters ? hn::Eq(x.key, key) : hn::Eq(x.exit, exit);
         const auto is_y = enters ? hn::Eq(y.key, key) : hn::Eq(y.exit, exit);

@@ -69,6 +69,10 @@ inline bool take_own_maps(const WideScene& scene, const Workspace& work, const P
 
 enum class PathSide { entry, exit };
 
+/// A ray so near to a face of a box, in its half widths, is left to the clear kernels: they know
+/// in double whether it enters there.
+inline constexpr double face_room = 0x1p-12;
+
 template <class D>
 HWY_INLINE hn::VFromD<D> load_floats(D d, const float* from) {
     if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
@@ -150,8 +154,13 @@ struct MapLevels {
         const V beside_v = hn::Add(ray.v0, hn::Mul(ray.v1, cell.base));
         const Lanes3<V> origin = add_scaled(add_scaled(cell.o, beside_u, cell.u), beside_v, cell.v);
         const Lanes3<V> direction = add_scaled(add_scaled(cell.w, ray.u1, cell.u), ray.v1, cell.v);
-        const LaneInterval<V> inside =
+        LaneInterval<V> inside =
             spheres ? in_unit_ball(d, origin, direction) : in_unit_cube(d, origin, direction);
+        if constexpr (!spheres) {
+            const V room = hn::Set(d, static_cast<T>(face_room));
+            const auto in_face = in_cube_face(d, origin, direction, {room, room, room});
+            inside.key = hn::IfThenElse(in_face, hn::NaN(d), inside.key);
+        }
         const V t = side == PathSide::entry ? inside.key : inside.exit;
         const Lanes3<V> normal =
             spheres ? add_scaled(origin, t, direction) : cube_normal(d, origin, direction, t);

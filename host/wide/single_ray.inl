@@ -119,16 +119,32 @@ struct RayInStart {
     float found;  // depth of the terminal cell found
 };
 
+/// How far rounding may move a ray's origin in the coordinates of children, given what it is in the
+/// start cell's.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE Lanes3<V> rounding_room(D d, const Lanes3x3<V>& map) {
+    const V rounding = hn::Set(d, 0x1p-19F);
+    const auto axis = [&](V a, V b, V c) HWY_ATTR {
+        return hn::Mul(rounding, hn::Add(hn::Add(hn::Abs(a), hn::Abs(b)), hn::Abs(c)));
+    };
+    return {axis(map.row[0].x, map.row[1].x, map.row[2].x),
+            axis(map.row[0].y, map.row[1].y, map.row[2].y),
+            axis(map.row[0].z, map.row[1].z, map.row[2].z)};
+}
+
 /// Tests children of a block, from `met.first` on: those that the ray meets within [key, exit] and
-/// nearer than its best.
-inline void meet_children(const Block& block, const WideSet& set, const RayInStart& ray, float key,
-                          float exit, MetChildren& met) {
+/// nearer than its best. False if the ray lies in the face of a box, where floats cannot tell.
+template <bool spheres>
+[[nodiscard]] inline bool meet_children(const Block& block, const WideSet& set,
+                                        const RayInStart& ray, float key, float exit,
+                                        MetChildren& met) {
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
     const Lanes3<V> origin = broadcast(d, ray.origin);
     const Lanes3<V> direction = broadcast(d, ray.direction);
     const V outer_key = hn::Set(d, key), outer_exit = hn::Set(d, exit);
     const V best = hn::Set(d, ray.best), slack = hn::Set(d, ray.slack);
+    bool clear = true;
     met.waiting = met.terminal = 0;
     for (int i = 0; i < met.count; i += static_cast<int>(hn::Lanes(d))) {
         const float* rows = block.rows + met.first + i;
@@ -136,13 +152,20 @@ inline void meet_children(const Block& block, const WideSet& set, const RayInSta
         const Lanes3<V> o =
             add(transform(origin, map), load3(d, rows + 9 * set.stride, set.stride));
         const Lanes3<V> v = transform(direction, map);
-        const LaneInterval<V> inside = set.spheres ? in_unit_ball(d, o, v) : in_unit_cube(d, o, v);
+        const LaneInterval<V> inside = spheres ? in_unit_ball(d, o, v) : in_unit_cube(d, o, v);
+        const auto filled = hn::FirstN(d, static_cast<std::size_t>(met.count - i));
         auto here = hn::Le(inside.key, inside.exit);  // not NaN
+        if constexpr (!spheres) {
+            const V touching = hn::Set(d, 4 * ray.slack);  // boxes that touch in an edge
+            here = hn::Le(inside.key, hn::Add(inside.exit, touching));
+            const auto in_face = in_cube_face(d, o, v, rounding_room(d, map));
+            clear = clear && hn::AllFalse(d, hn::And(in_face, filled));
+        }
         const V from = hn::Max(outer_key, inside.key);
         const V to = hn::Min(outer_exit, inside.exit);
         here = hn::And(here, hn::Le(from, hn::Add(to, slack)));
         here = hn::And(here, hn::Lt(from, best));
-        here = hn::And(here, hn::FirstN(d, static_cast<std::size_t>(met.count - i)));
+        here = hn::And(here, filled);
         const V p = hn::Max(
             hn::Add(hn::Set(d, ray.pixel_base), hn::Mul(hn::Set(d, ray.pixel_growth), from)),
             hn::Set(d, ray.pixel_least));
@@ -153,6 +176,7 @@ inline void meet_children(const Block& block, const WideSet& set, const RayInSta
         met.terminal |= lane_bits(d, hn::Le(diameter, p)) << i;
     }
     if (block.last) met.terminal = ~std::uint64_t{0};
+    return clear;
 }
 
 /// The nearest of the cells that wait, if it is nearer than `best`; otherwise -1.
@@ -199,12 +223,14 @@ inline bool follow_ray(const WideScene& scene, Workspace& work, RayInStart& ray,
             met.block = index;
             met.first = first;
             met.count = std::min(MetCells::room, set.count - first);
-            meet_children(block, set, ray, from, to, met);
+            const bool clear = set.spheres ? meet_children<true>(block, set, ray, from, to, met)
+                                           : meet_children<false>(block, set, ray, from, to, met);
+            if (!clear) found.given_up = true;
         }
     };
     open(root, key, exit);
     bool improved = false;
-    while (depth > 0) {
+    while (depth > 0 && !found.given_up) {
         MetChildren& met = stack[depth - 1];
         const int i = nearest_waiting(met, ray.best);
         if (i < 0) {

@@ -20,9 +20,19 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The rays in the cell's unit coordinates; returns those that meet it, a bit each.
-inline std::uint64_t meet_start_cell(const Workspace& work, const SharedCell& cell,
-                                     StartRays& rays) {
+/// Leaves a ray to the clear kernels, which follow it in double: too many cells are on its way, or
+/// it lies in a face between two boxes, and floats cannot tell which of the two it meets.
+inline void leave_ray(Workspace& work, int ray) {
+    const auto at = static_cast<std::size_t>(ray);
+    work.found[at].given_up = true;
+    work.best[at] = 0;  // nothing to look for
+    work.improved = true;
+}
+
+/// The rays in the cell's unit coordinates; returns those that meet it, a bit each. Rays in its
+/// faces are left to the clear kernels.
+inline std::uint64_t meet_start_cell(Workspace& work, const SharedCell& cell, StartRays& rays) {
+    constexpr float rounding = 0x1p-18F;  // of the cell's half width: where a ray is
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
     const RayBundle& bundle = work.bundle;
@@ -33,7 +43,8 @@ inline std::uint64_t meet_start_cell(const Workspace& work, const SharedCell& ce
     };
     const Lanes3<V> u_axis = row(0), v_axis = row(1), w_axis = row(2), middle = row(3);
     const V base = hn::Set(d, static_cast<float>(cell.base));
-    std::uint64_t met = 0;
+    const V room = hn::Set(d, rounding);
+    std::uint64_t met = 0, in_face = 0;
     for (int i = 0; i < bundle_rays; i += static_cast<int>(hn::Lanes(d))) {
         const V u1 = hn::LoadU(d, bundle.u1 + i), v1 = hn::LoadU(d, bundle.v1 + i);
         const V u = hn::Add(hn::LoadU(d, bundle.u0 + i), hn::Mul(u1, base));
@@ -46,10 +57,19 @@ inline std::uint64_t meet_start_cell(const Workspace& work, const SharedCell& ce
         store3(s, d, rays.direction[0] + i, bundle_rays);
         hn::StoreU(key, d, rays.key + i);
         hn::StoreU(inside.exit, d, rays.exit + i);
-        const auto here = hn::And(hn::Le(inside.key, inside.exit), hn::Le(key, inside.exit));
+        V exit = inside.exit;
+        if (!cell.spheres) {
+            const V fastest = max3(hn::Abs(s.x), hn::Abs(s.y), hn::Abs(s.z));
+            exit = hn::Add(exit, hn::Div(room, fastest));  // boxes that touch in an edge
+            in_face |= lane_bits(d, in_cube_face(d, o, s, {room, room, room})) << i;
+        }
+        const auto here = hn::And(hn::Le(inside.key, exit), hn::Le(key, exit));
         met |= lane_bits(d, here) << i;
     }
-    return met & bundle.inside;
+    for (std::uint64_t rest = in_face & bundle.inside; rest != 0; rest &= rest - 1) {
+        leave_ray(work, std::countr_zero(rest));
+    }
+    return met & bundle.inside & ~in_face;
 }
 
 /// A ray has found a cell below a start cell, at that depth.
@@ -107,7 +127,11 @@ inline void visit_start_cell(const WideScene& scene, Workspace& work, int index)
         ray.best = static_cast<float>(work.best[at] - cell.base);
         if (root < 0) root = make_block(scene, work, opening, object.levels);
         Found& found = work.found[at];
-        if (follow_ray(scene, work, ray, rays.key[i], rays.exit[i], root, object.levels, found)) {
+        const bool improved =
+            follow_ray(scene, work, ray, rays.key[i], rays.exit[i], root, object.levels, found);
+        if (found.given_up) {
+            leave_ray(work, i);
+        } else if (improved) {
             found.below_count = -1;
             const double depth = cell.base + static_cast<double>(ray.found);
             note_found(work, i, index, depth);

@@ -27,6 +27,7 @@ HWY_INLINE PlaceBelow place_in_box(const StartRays& rays, int ray, BoxRay& box) 
         box.pace[k] = 1 / (s == 0 ? 1e-30F : s);
         at[k] = -rays.origin[k][ray] * box.pace[k];
     }
+    box.know_faces();
     return {at[0], at[1], at[2], 1};
 }
 
@@ -50,7 +51,9 @@ inline void visit_box(const WideScene& scene, Workspace& work, const FixedCell& 
         if (object.grid) {
             const float center[3] = {at.x, at.y, at.z};
             GridWalk walk(scene, ray);
-            return walk.follow(cell, center, rays.key[i], object.levels - cell.level, found, depth);
+            const std::uint32_t left = object.levels - cell.level;
+            return ray.parallel ? walk.follow<true>(cell, center, rays.key[i], left, found, depth)
+                                : walk.follow<false>(cell, center, rays.key[i], left, found, depth);
         }
         if (!follow_fixed(scene, work, ray, at, found)) return false;
         depth = ray.found;
