@@ -10,6 +10,7 @@
 #include "host/fractal/short_by.hpp"
 #include "host/render/bounding_volume.hpp"
 #include "host/render/computed_volume.hpp"
+#include "host/render/filled_volume.hpp"
 #include "host/render/shape.hpp"
 #include "host/render/trial.hpp"
 
@@ -57,8 +58,10 @@ class Choice {
         return volumes;
     }
 
-    /// Spheres or boxes, as they cost less; oriented boxes or hulls where these cost far more.
+    /// What the attractor fills, if it does. Else spheres or boxes, as they cost less; oriented
+    /// boxes or hulls where these cost far more.
     Volumes cheapest() {
+        if (auto filled = filled_volumes(rifs_, bounds_, computer_)) return *std::move(filled);
         Volumes best = of_kind(kernels::Volume::sphere);
         // Spheres stay a pixel thick down to the last cell: curves and sheets edge on are not
         // missed.
