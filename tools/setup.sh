@@ -71,7 +71,7 @@ install_packages() {
 }
 
 # Seconds that a core takes for a step of the build: the mean of a whole build of the program, without ccache.
-seconds_per_step=5
+seconds_per_step=4
 
 # announce PRESET: says, before a build begins, how many steps are left and how long they take.
 announce() {

@@ -210,5 +210,25 @@ TEST_F(Tools, a_failed_installation_shows_why) {
     EXPECT_THAT(outcome.err, HasSubstr("could not be installed"));
 }
 
+TEST_F(Tools, a_wrong_option_of_try_fresh_is_code_2_and_without_root_nothing_is_made) {
+    const auto try_fresh = [&](const std::string& arguments) {
+        const std::string command = "cd '" + root_.string() + "' && TMPDIR='" + root_.string() +
+                                    "/host' PATH='" + (root_ / "bin").string() +
+                                    "':$PATH tools/try_fresh " + arguments + " >out 2>err";
+        const int status = std::system(command.c_str());
+        return Outcome{WEXITSTATUS(status), read(root_ / "out"), read(root_ / "err")};
+    };
+    for (const char* wrong : {"--frob", "--as", "--as nobody", "--size 0", "--size ten"}) {
+        const Outcome outcome = try_fresh(wrong);
+        EXPECT_EQ(outcome.exit_code, 2) << wrong;
+        EXPECT_THAT(outcome.err, HasSubstr("try_fresh: ")) << wrong;
+    }
+    stand_in("id", "echo 1000");
+    const Outcome outcome = try_fresh("--first");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("needs root"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(root_ / "host"), fs::directory_iterator()), 1);
+}
+
 }  // namespace
 }  // namespace pxm::test
