@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "host/error.hpp"
@@ -251,7 +252,10 @@ struct ImageWriter::File {
     /// The system's reason first: the library knows none, or nothing of it.
     void require(bool done) {
         part.file().require();
-        if (!done) cannot_write(path, told_of(path, part.beside(), output->geterror()));
+        if (done) return;
+        const std::string why = output->geterror();
+        if (why.find("std::bad_alloc") != std::string::npos) throw std::bad_alloc();
+        cannot_write(path, told_of(path, part.beside(), why));
     }
 };
 
