@@ -1,5 +1,7 @@
-// The box-counting dimension (Def. 5.5), measured: points of the attractor are sorted into grids of
-// several resolutions, and a line is fitted to log count against log resolution (Sec. 5.3.1).
+// The box-counting dimension (Def. 5.5), measured: the boxes of a grid that hold points of the
+// attractor are counted at many scales, and a line is fitted to log count against log resolution
+// (Sec. 5.3.1). A million boxes a side are too many to look at; they are counted by places, which
+// Zoom looks at closer and closer.
 #pragma once
 
 #include <optional>
@@ -12,16 +14,16 @@
 namespace pxm::host {
 
 struct BoxScale {
-    double side = 0;  // of a box
-    long boxes = 0;   // that hold a point
+    double side = 0;   // of a box
+    double boxes = 0;  // that hold a point, about
 };
 
 struct BoxCounting {
-    std::optional<double> dimension;  // nothing if too few scales could be counted
-    double error = 0;                 // standard error of the fitted slope
-    std::vector<BoxScale> scales;     // coarse to fine: those of the fit
-    long points = 0;
-    std::string method;  // where the points come from, or which limit kept from measuring
+    std::optional<double> dimension;  // nothing if there is no range of scales that tells it
+    double error = 0;                 // of 20 systems, 19 are within two of it
+    std::vector<BoxScale> scales;     // coarse to fine; the coarsest third is not used
+    long points = 0;                  // places looked at
+    std::string method;               // what was done, or what kept from measuring
 };
 
 /// Of what may stand at the start. The same system gives the same result. `bounds` as from bound().

@@ -6,6 +6,7 @@
 #include "host/fractal/affine_hull.hpp"
 #include "host/fractal/components.hpp"
 #include "host/fractal/growth.hpp"
+#include "host/fractal/similarity.hpp"
 #include "host/fractal/word_sums.hpp"
 
 namespace pxm::host {
@@ -84,10 +85,8 @@ std::vector<double> shares(const Rifs& rifs, const std::vector<double>& factors)
     return x;
 }
 
-}  // namespace
-
-std::vector<double> default_weights(const Rifs& rifs) {
-    std::vector<double> weights = stretches(rifs);
+/// What is stretched by `weights`, of what has its share; at least a thousandth of the largest.
+std::vector<double> with_shares(const Rifs& rifs, std::vector<double> weights) {
     const std::vector<double> share = shares(rifs, weights);
     for (std::size_t m = 0; m < weights.size(); ++m) weights[m] *= share[rifs.follow_of[m]];
     std::vector<double> least(weights.size(), 0);
@@ -101,6 +100,20 @@ std::vector<double> default_weights(const Rifs& rifs) {
         weights[m] = std::max(weights[m], least[m]);
     }
     return weights;
+}
+
+}  // namespace
+
+std::vector<double> default_weights(const Rifs& rifs) { return with_shares(rifs, stretches(rifs)); }
+
+std::vector<double> natural_weights(const Rifs& rifs) {
+    std::vector<double> weights = stretches(rifs);
+    std::vector<double> logarithms;
+    for (const double weight : weights) logarithms.push_back(std::log(weight));
+    const double power = exponent_of_ratios(rifs, logarithms, 0).middle();
+    if (!(power > 0) || !std::isfinite(power)) return default_weights(rifs);
+    for (double& weight : weights) weight = std::pow(weight, power);
+    return with_shares(rifs, weights);
 }
 
 }  // namespace pxm::host

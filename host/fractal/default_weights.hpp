@@ -15,4 +15,9 @@ namespace pxm::host {
 /// map is starved. Precondition: the system contracts.
 [[nodiscard]] std::vector<double> default_weights(const Rifs& rifs);
 
+/// The same, with the factors to the power at which words of any length add up to as much: for
+/// similitudes Hausdorff's measure in the similarity dimension (Eq. 5.19). Flat maps
+/// have the floor of default_weights().
+[[nodiscard]] std::vector<double> natural_weights(const Rifs& rifs);
+
 }  // namespace pxm::host

@@ -28,8 +28,8 @@ std::string bound_and_why(const Dimensions& found) {
                                 : fmt::format("at most {}: the attractor lies in a {}", found.upper,
                                               hull_name(int(found.upper)));
     }
-    return fmt::format("at most {}{}", six_digits_above(found.upper),
-                       found.affinity.exact ? ", the affinity dimension" : "");
+    return found.affinity.exact ? "at most the affinity dimension"
+                                : fmt::format("at most {}", six_digits_above(found.upper));
 }
 
 /// Theorem 5.4 for similitudes with the open-set condition.

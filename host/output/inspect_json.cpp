@@ -136,7 +136,8 @@ Json dimension_json(const Dimensions& found) {
     json["box_counting_error"] = boxes.dimension ? Json(boxes.error) : Json(nullptr);
     json["box_counting_scales"] = Json::array();
     for (const BoxScale& scale : boxes.scales) {
-        json["box_counting_scales"].push_back({{"side", scale.side}, {"boxes", scale.boxes}});
+        json["box_counting_scales"].push_back(
+            {{"side", scale.side}, {"boxes", std::llround(scale.boxes)}});
     }
     json["box_counting_points"] = boxes.points;
     json["box_counting_method"] = boxes.method;
