@@ -55,12 +55,15 @@ Eigen::MatrixXd invariant_form(const std::vector<Eigen::MatrixXd>& maps,
 /// Only maps whose eigenvalues have one modulus are similitudes anywhere.
 bool may_be_similitude(const Eigen::MatrixXd& t, double ratio) {
     constexpr double nearly = 1e-6;
-    const Eigen::VectorXd moduli = t.eigenvalues().cwiseAbs();
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(t, /*computeEigenvectors=*/false);
+    if (solver.info() != Eigen::Success) return false;
+    const Eigen::VectorXd moduli = solver.eigenvalues().cwiseAbs();
     return moduli.maxCoeff() < (1 + nearly) * ratio && moduli.minCoeff() > (1 - nearly) * ratio;
 }
 
 double condition(const Eigen::MatrixXd& form) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(form, Eigen::EigenvaluesOnly);
+    if (solver.info() != Eigen::Success) return largest_condition * 2;
     const double least = solver.eigenvalues().minCoeff();
     return least > 0 ? solver.eigenvalues().maxCoeff() / least : largest_condition * 2;
 }

@@ -5,21 +5,16 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
+
+#include "host/fractal/eigen_matrix.hpp"
 
 namespace pxm::host {
 
 namespace {
 
 constexpr double vanishing = 1e-12;  // of the largest singular value: see classify() and lift()
-
-/// The matrix M with M x = x T: glm's column i, the thesis' row i, is Eigen's column i.
-Eigen::Matrix3d eigen(const glm::dmat3& linear) {
-    Eigen::Matrix3d result;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) result(row, column) = linear[column][row];
-    }
-    return result;
-}
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 glm::dvec3 column(const Eigen::Matrix3d& matrix, int i) {
     return {matrix(0, i), matrix(1, i), matrix(2, i)};
@@ -38,10 +33,17 @@ bool is_uniform_scale(const glm::dmat3& linear, double scale) {
 
 }  // namespace
 
+// Of what is not finite, as products of words may be, the values are infinite, infinite and 0:
+// bounds that hold whatever it stands for.
 SingularValues singular_values(const glm::dmat3& linear) {
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(eigen(linear),
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(eigen_matrix(linear),
                                                 Eigen::ComputeFullU | Eigen::ComputeFullV);
     SingularValues result;
+    if (svd.info() != Eigen::Success) {
+        result.values = {infinity, infinity, 0};
+        for (int i = 0; i < 3; ++i) result.input[i] = result.output[i] = glm::dmat3{1.0}[i];
+        return result;
+    }
     for (int i = 0; i < 3; ++i) {
         result.values[i] = svd.singularValues()(i);
         result.input[i] = column(svd.matrixV(), i);
@@ -54,7 +56,8 @@ double smallest_singular_value(const Affine& map) { return singular_values(map.l
 
 double lipschitz_constant(const Affine& map) {
     // Sec. 16.2: the largest eigenvalue of S, T = S Q, is the largest singular value.
-    return Eigen::JacobiSVD<Eigen::Matrix3d>(eigen(map.linear)).singularValues()(0);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(eigen_matrix(map.linear));
+    return svd.info() == Eigen::Success ? svd.singularValues()(0) : infinity;
 }
 
 double determinant_constant(const Affine& map) {
@@ -74,7 +77,7 @@ Affine lift(const Affine& map, double thickness) {
     Affine lifted = map;
     for (int i = 0; i < 3; ++i) {
         if (!vanishes(singular, i)) continue;
-        const double raise = thickness - singular.values[i];
+        const double raise = std::max(thickness - singular.values[i], 0.0);
         lifted.linear += raise * glm::outerProduct(singular.output[i], singular.input[i]);
     }
     return lifted;

@@ -1,9 +1,10 @@
 #include "host/fractal/oriented_box.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+
+#include "host/fractal/spectrum.hpp"
 
 namespace pxm::host {
 
@@ -18,19 +19,9 @@ glm::dmat3 principal_axes(const Points& points) {
     for (const glm::dvec3& point : points) mean += point / static_cast<double>(points.size());
     glm::dmat3 spread{0.0};
     for (const glm::dvec3& point : points) spread += glm::outerProduct(point - mean, point - mean);
-    Eigen::Matrix3d matrix;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) matrix(i, j) = spread[i][j];
-    }
-    const double trace = matrix.trace();
+    const double trace = spread[0][0] + (spread[1][1] + spread[2][2]);
     if (!(trace > 0) || !std::isfinite(trace)) return glm::dmat3{1.0};
-    const Eigen::Matrix3d axes =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix / trace).eigenvectors();
-    glm::dmat3 result;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) result[i][j] = axes(j, 2 - i);
-    }
-    return result;
+    return symmetric_axes(spread / trace).value_or(glm::dmat3{1.0});
 }
 
 OrientedBox oriented_box(const glm::dmat3& axes, const glm::dvec3& low, const glm::dvec3& high) {

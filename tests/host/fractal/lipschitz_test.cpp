@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 
 #include "tests/host/fractal/systems.hpp"
 
@@ -98,6 +99,23 @@ TEST(Lipschitz, the_zero_map_is_lifted_to_a_ball) {
 TEST(Lipschitz, lifting_leaves_a_regular_map_as_it_is) {
     const Affine squashed = map({scaling({0.25, 0.01, 0.01}), rotation(Axis::z, 90)});
     EXPECT_EQ(lift(squashed, 0.5), squashed);
+}
+
+TEST(Lipschitz, what_is_not_finite_may_stretch_without_bound_and_squash_to_nothing) {
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        Affine affine;
+        affine.linear[1][2] = bad;
+        EXPECT_EQ(lipschitz_constant(affine), std::numeric_limits<double>::infinity());
+        EXPECT_EQ(smallest_singular_value(affine), 0);
+        EXPECT_EQ(classify(affine), MapKind::singular);
+    }
+}
+
+TEST(Lipschitz, lifting_never_makes_a_map_thinner) {
+    Affine shear = scaling(glm::dvec3{0.5});
+    shear.linear[0][2] = 1e12;
+    const double before = smallest_singular_value(shear);
+    EXPECT_GE(smallest_singular_value(lift(shear, before / 100)), before * (1 - 1e-3));
 }
 
 }  // namespace
