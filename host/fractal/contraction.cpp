@@ -2,13 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/fractal/cycle_mean.hpp"
-#include "host/fractal/lipschitz.hpp"
 #include "host/fractal/quadratic_norm.hpp"
+#include "host/fractal/spectrum.hpp"
 #include "host/fractal/words.hpp"
 
 namespace pxm::host {
@@ -51,13 +51,8 @@ std::string obstacle_text(const Rifs& rifs, const CycleMean& worst) {
 bool never_shrinks(const Rifs& rifs, const std::vector<int>& cycle) {
     glm::dmat3 round{1.0};
     for (const int m : cycle) round = round * rifs.maps[m].linear;
-    Eigen::Matrix3d matrix;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) matrix(j, i) = round[i][j];
-    }
-    if (!matrix.allFinite()) return false;
-    const double radius = matrix.eigenvalues().cwiseAbs().maxCoeff();
-    return radius >= 1 - margin;
+    const auto radius = spectral_radius(round);
+    return radius && *radius >= 1 - margin;
 }
 
 /// The certificate of a code of words as the contract of `words` states it. A word of n maps is
@@ -72,15 +67,19 @@ Contraction by_words(const WordCode& code) {
         longest = std::max(longest, word.length);
     }
     const double n = 2 * (std::log(code.worst_prefix) - longest * log_rate) / -log_rate;
+    if (!(n < std::numeric_limits<int>::max() / 2)) return result;
     result.proof = ContractionProof::words;
     result.rate = std::exp(log_rate / 2);
-    result.word_length = static_cast<int>(std::ceil(n));
+    // One more: its half of log_rate is far more than the rounding of these logarithms.
+    result.word_length = static_cast<int>(std::ceil(n)) + 1;
     return result;
 }
 
 }  // namespace
 
-Contraction prove_contraction(const Rifs& rifs) {
+// Each proof is looked for in double and then checked in brackets, for the maps as the doubles that
+// they are: what rounding may have made up is no proof.
+Contraction prove_contraction(const Rifs& rifs, long most_words) {
     Contraction result;
     for (std::size_t m = 0; m < rifs.maps.size(); ++m) {
         if (is_finite(rifs.maps[m])) continue;
@@ -88,9 +87,9 @@ Contraction prove_contraction(const Rifs& rifs) {
         return result;
     }
     const CycleMean worst = largest_cycle_mean(rifs);
-    if (std::exp(worst.bound) < 1 - margin) {
+    if (const double rate = proven_rate(rifs, weights_of(worst)); rate < 1 - margin) {
         result.proof = ContractionProof::cycle_mean;
-        result.rate = std::exp(worst.bound);
+        result.rate = rate;
         return result;
     }
     if (!never_shrinks(rifs, worst.cycle)) {
@@ -99,10 +98,16 @@ Contraction prove_contraction(const Rifs& rifs) {
             result.rate = norm->rate;
             return result;
         }
-        if (const auto code = contracting_words(rifs, word_budget)) return by_words(*code);
+        if (const auto code = contracting_words(rifs, most_words)) {
+            if (Contraction found = by_words(*code); found.proof == ContractionProof::words) {
+                return found;
+            }
+        }
     }
     result.obstacle = obstacle_text(rifs, worst);
     return result;
 }
+
+Contraction prove_contraction(const Rifs& rifs) { return prove_contraction(rifs, word_budget); }
 
 }  // namespace pxm::host

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "host/fractal/bracket_matrix.hpp"
 #include "host/fractal/components.hpp"
 #include "host/fractal/lipschitz.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 constexpr double lowest_lip = 1e-300;  // stands for the zero map, whose logarithm does not exist
 constexpr double improvement = 1e-13;  // in log Lip: smaller gains are rounding
 constexpr long work_limit = 2'000'000'000;  // edges looked at; the certificate holds at any time
+constexpr double least_potential = -690;    // a weight below would have no inverse
 constexpr double none = -std::numeric_limits<double>::infinity();
 
 /// The worst map that leads from one follow set to another of the same component.
@@ -214,6 +216,29 @@ CycleMean largest_cycle_mean(const Rifs& rifs) {
     }
     result.bound = certified_bound(edges, result.potential);
     return result;
+}
+
+std::vector<double> weights_of(const CycleMean& mean) {
+    std::vector<double> weight;
+    for (const double potential : mean.potential) {
+        weight.push_back(std::exp(std::max(potential, least_potential)));
+    }
+    return weight;
+}
+
+double proven_rate(const Rifs& rifs, const std::vector<double>& weight) {
+    const std::vector<int> component = set_components(rifs);
+    std::vector<double> lip;
+    for (const Affine& map : rifs.maps) lip.push_back(norm_at_most(map.linear));
+    double rate = lowest_lip;
+    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
+        for (const int m : rifs.follow_sets[s].maps) {
+            const int to = rifs.follow_of[m];
+            if (component[to] != component[s]) continue;
+            rate = std::max(rate, (Bracket{lip[m]} * weight[to] / weight[s]).high);
+        }
+    }
+    return rate;
 }
 
 }  // namespace pxm::host

@@ -10,8 +10,8 @@
 namespace pxm::host {
 
 struct CycleMean {
-    /// No cycle's mean of log Lip is larger. For every set s and map m of s whose follow set t lies
-    /// in the component of s: log Lip m + potential[t] <= bound + potential[s].
+    /// No cycle's mean of log Lip is larger, up to rounding. For every set s and map m of s whose
+    /// follow set t lies in the component of s: log Lip m + potential[t] <= bound + potential[s].
     double bound = 0;
     std::vector<double> potential;  // per follow set, largest 0 in each component
     std::vector<int> cycle;         // the worst cycle found: maps, in descent order
@@ -20,5 +20,13 @@ struct CycleMean {
 
 /// Precondition: every map is finite, no follow set is empty.
 [[nodiscard]] CycleMean largest_cycle_mean(const Rifs& rifs);
+
+/// Positive weights for the follow sets, from the potentials.
+[[nodiscard]] std::vector<double> weights_of(const CycleMean& mean);
+
+/// A rate with Lip m weight[t] <= rate weight[s] for every set s and map m of s whose follow set t
+/// lies in the component of s. So no cycle's geometric mean of Lip is larger: this is checked in
+/// brackets and does not depend on where the weights come from. Infinite if they prove nothing.
+[[nodiscard]] double proven_rate(const Rifs& rifs, const std::vector<double>& weight);
 
 }  // namespace pxm::host

@@ -5,92 +5,23 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <utility>
 
 #include "host/fractal/components.hpp"
-#include "host/fractal/cycle_mean.hpp"
+#include "host/fractal/contracting_steps.hpp"
 #include "host/fractal/enclosing_ball.hpp"
 #include "host/fractal/lipschitz.hpp"
-#include "host/fractal/quadratic_norm.hpp"
-#include "host/fractal/words.hpp"
 
 namespace pxm::host {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1 + 1e-13;   // a factor that covers the rounding of one step
 constexpr double safety = 1 + 1e-10;     // ... and of all of them
 constexpr long work_limit = 10'000'000;  // steps looked at while centres are moved
 constexpr long most_moves = 64;
 constexpr int sweeps = 16;
-
-/// map takes what stands in set `to` into set `from`; it is `lip` times as large there at most.
-struct Step {
-    int to;
-    Affine map;
-    double lip;
-};
-
-/// The system in coordinates where the steps contract: x of set s is frame[s] * x there.
-struct Steps {
-    std::vector<std::vector<Step>> from;  // by follow set
-    std::vector<double> weight;           // lip weight[to] < weight[from] within a component
-    std::vector<glm::dmat3> frame;
-};
-
-Steps plain_steps(const Rifs& rifs) {
-    Steps steps;
-    steps.frame.assign(rifs.follow_sets.size(), glm::dmat3{1.0});
-    for (const double potential : largest_cycle_mean(rifs).potential) {
-        steps.weight.push_back(std::exp(potential));
-    }
-    std::vector<double> lip;
-    for (const Affine& map : rifs.maps) lip.push_back(lipschitz_constant(map) * rounding);
-    for (const FollowSet& set : rifs.follow_sets) {
-        std::vector<Step>& from = steps.from.emplace_back();
-        for (const int m : set.maps) from.push_back({rifs.follow_of[m], rifs.maps[m], lip[m]});
-    }
-    return steps;
-}
-
-Steps framed_steps(const Rifs& rifs) {
-    Steps steps;
-    steps.frame = contracting_norm(rifs).value_or(QuadraticNorm{}).frame;
-    steps.weight.assign(steps.frame.size(), 1.0);
-    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
-        std::vector<Step>& from = steps.from.emplace_back();
-        const glm::dmat3 into = glm::inverse(steps.frame[s]);
-        for (const int m : rifs.follow_sets[s].maps) {
-            const int to = rifs.follow_of[m];
-            const Affine map{into * rifs.maps[m].linear * steps.frame[to],
-                             into * rifs.maps[m].translation};
-            from.push_back({to, map, lipschitz_constant(map) * rounding});
-        }
-    }
-    return steps;
-}
-
-Steps word_steps(const Rifs& rifs) {
-    Steps steps;
-    steps.frame.assign(rifs.follow_sets.size(), glm::dmat3{1.0});
-    steps.weight.assign(rifs.follow_sets.size(), 1.0);
-    steps.from.resize(rifs.follow_sets.size());
-    const WordCode code = contracting_words(rifs, word_budget).value_or(WordCode{});
-    for (const ContractingWord& word : code.words) {
-        steps.from[word.from].push_back({word.to, word.map, word.lip * rounding});
-    }
-    return steps;
-}
-
-Steps contracting_steps(const Rifs& rifs, ContractionProof proof) {
-    switch (proof) {
-        case ContractionProof::spectral_radius:
-            return framed_steps(rifs);
-        case ContractionProof::words:
-            return word_steps(rifs);
-        default:
-            return plain_steps(rifs);
-    }
-}
 
 /// Centres and radii such that every step takes the ball of `to` into the ball of its set.
 class InvariantBalls {
@@ -99,23 +30,26 @@ class InvariantBalls {
         : steps_(steps),
           component_(std::move(component)),
           center_(std::move(centers)),
-          radius_(center_.size(), 0.0) {
+          radius_(center_.size(), 0.0),
+          leading_to_(center_.size()),
+          image_(steps.maps.size()) {
         sets_.resize(center_.size() == 0 ? 0 : largest_component() + 1);
         long edges = 1;
         for (std::size_t s = 0; s < center_.size(); ++s) {
             sets_[component_[s]].push_back(static_cast<int>(s));
             edges += static_cast<long>(steps.from[s].size());
         }
+        find_leading_maps();
         moves_ = std::clamp<long>(work_limit / edges, 1, most_moves);
     }
 
     std::vector<Ball> solve() {
         for (auto sets = sets_.rbegin(); sets != sets_.rend(); ++sets) solve_component(*sets);
         for (int i = 0; i < sweeps; ++i) sweep();
+        for (double& radius : radius_) radius *= safety;
+        for (auto sets = sets_.rbegin(); sets != sets_.rend(); ++sets) make_sure_of(*sets);
         std::vector<Ball> balls;
-        for (std::size_t s = 0; s < center_.size(); ++s) {
-            balls.push_back({center_[s], radius_[s] * safety});
-        }
+        for (std::size_t s = 0; s < center_.size(); ++s) balls.push_back({center_[s], radius_[s]});
         return balls;
     }
 
@@ -131,12 +65,29 @@ class InvariantBalls {
         return static_cast<std::size_t>(*std::max_element(component_.begin(), component_.end()));
     }
 
+    void find_leading_maps() {
+        std::vector<char> seen(steps_.maps.size(), 0);
+        for (const std::vector<Step>& from : steps_.from) {
+            for (const Step& step : from) {
+                if (!std::exchange(seen[step.map], char{1})) {
+                    leading_to_[step.to].push_back(step.map);
+                }
+            }
+        }
+        for (std::size_t s = 0; s < center_.size(); ++s) move(static_cast<int>(s), center_[s]);
+    }
+
+    void move(int set, const glm::dvec3& center) {
+        center_[set] = center;
+        for (const int m : leading_to_[set]) image_[m] = steps_.maps[m].map.point(center);
+    }
+
     /// Moves the centre that makes the balls large toward where its map stands still, in ever
     /// shorter moves, and keeps the best centres met.
     void solve_component(const std::vector<int>& sets) {
-        double best = std::numeric_limits<double>::infinity();
+        double best = infinity;
         std::vector<glm::dvec3> best_centers;
-        for (long move = 1; move <= moves_; ++move) {
+        for (long step = 1; step <= moves_; ++step) {
             const Size size = smallest_size(sets);
             if (size.size < best || best_centers.empty()) {
                 best = size.size;
@@ -145,12 +96,13 @@ class InvariantBalls {
             }
             if (size.step == nullptr) break;  // all radii are zero
             const glm::dvec3 target = size.step->to == size.set
-                                          ? fixed_point(size.step->map)
-                                          : size.step->map.point(center_[size.step->to]);
-            center_[size.set] += (target - center_[size.set]) / static_cast<double>(move);
+                                          ? still_point(size.set, *size.step)
+                                          : image_of_center(size.set, *size.step);
+            const glm::dvec3& from = center_[size.set];
+            move(size.set, from + (target - from) / static_cast<double>(step));
         }
         for (std::size_t i = 0; i < sets.size(); ++i) {
-            center_[sets[i]] = best_centers[i];
+            move(sets[i], best_centers[i]);
             radius_[sets[i]] = best * steps_.weight[sets[i]];
         }
     }
@@ -176,8 +128,21 @@ class InvariantBalls {
         return (distance + step.lip * radius_[step.to]) / own;
     }
 
+    /// In the coordinates of set s, as all centres are in those of their sets.
+    [[nodiscard]] glm::dvec3 image_of_center(int s, const Step& step) const {
+        if (!steps_.frames) return image_[step.map];
+        const Affine& map = steps_.maps[step.map].map;
+        const auto& [frame, into, proven_into] = *steps_.frames;
+        return into[s] * map.point(frame[step.to] * center_[step.to]);
+    }
+
+    [[nodiscard]] glm::dvec3 still_point(int s, const Step& step) const {
+        const glm::dvec3 point = fixed_point(steps_.maps[step.map].map);
+        return steps_.frames ? steps_.frames->into[s] * point : point;
+    }
+
     [[nodiscard]] double shift(int s, const Step& step) const {
-        return glm::distance(step.map.point(center_[step.to]), center_[s]);
+        return glm::distance(image_of_center(s, step), center_[s]);
     }
 
     /// Radii that are large enough stay so when each is made no larger than its steps need.
@@ -193,37 +158,103 @@ class InvariantBalls {
         }
     }
 
+    /// What was computed in double becomes certain: radii that turn out too small get the size that
+    /// brackets ask for, or none.
+    void make_sure_of(const std::vector<int>& sets) {
+        if (are_large_enough(sets)) return;
+        double size = 0;
+        for (const int s : sets) {
+            for (const Step& step : steps_.from[s]) size = std::max(size, sure_size_for(s, step));
+        }
+        for (const int s : sets) {
+            const double sure = size * steps_.weight[s] * safety;
+            if (!(radius_[s] >= sure)) radius_[s] = sure;
+        }
+        if (are_large_enough(sets)) return;
+        for (const int s : sets) radius_[s] = infinity;
+    }
+
+    /// True if the steps are sure to take balls into the balls of these sets.
+    [[nodiscard]] bool are_large_enough(const std::vector<int>& sets) const {
+        return std::ranges::all_of(sets, [this](int s) {
+            return std::ranges::all_of(steps_.from[s], [this, s](const Step& step) {
+                const Bracket inside = Bracket{step.lip} * radius_[step.to];
+                return (sure_shift(s, step) + inside).high <= radius_[s];
+            });
+        });
+    }
+
+    /// As size_for().
+    [[nodiscard]] double sure_size_for(int s, const Step& step) const {
+        const Bracket distance = sure_shift(s, step);
+        const Bracket own = steps_.weight[s];
+        const Bracket lip = step.lip;
+        if (component_[step.to] == component_[s]) {
+            return (distance / (own - lip * steps_.weight[step.to])).high;
+        }
+        return ((distance + lip * radius_[step.to]) / own).high;
+    }
+
+    [[nodiscard]] Bracket sure_shift(int s, const Step& step) const {
+        const auto& [map, linear, translation] = steps_.maps[step.map];
+        const BracketVector from = bracket(center_[step.to]);
+        const BracketVector at = bracket(center_[s]);
+        if (!steps_.frames) return length(linear * from + translation - at);
+        const auto& [frame, into, proven_into] = *steps_.frames;
+        const BracketVector image = linear * (BracketMatrix{frame[step.to]} * from) + translation;
+        return length(proven_into[s] * (image - BracketMatrix{frame[s]} * at));
+    }
+
     const Steps& steps_;
     std::vector<int> component_;
     std::vector<glm::dvec3> center_;
     std::vector<double> radius_;
-    std::vector<std::vector<int>> sets_;  // by component
+    std::vector<std::vector<int>> leading_to_;  // per set, the maps that it may stand inside of
+    std::vector<glm::dvec3> image_;             // per map, of the centre of what stands inside
+    std::vector<std::vector<int>> sets_;        // by component
     long moves_ = 1;
 };
 
 std::vector<glm::dvec3> first_centers(const Steps& steps, const std::vector<Points>& inner) {
     std::vector<glm::dvec3> centers;
     for (std::size_t s = 0; s < inner.size(); ++s) {
-        const glm::dmat3 into = glm::inverse(steps.frame[s]);
-        Points points;
-        for (const glm::dvec3& point : inner[s]) points.push_back(into * point);
+        Points points = inner[s];
+        if (steps.frames) {
+            for (glm::dvec3& point : points) point = steps.frames->into[s] * point;
+        }
         centers.push_back(enclosing_ball(points).center);
     }
     return centers;
 }
 
+Bounds everything() {
+    return {{glm::dvec3{0.0}, infinity}, {glm::dvec3{-infinity}, glm::dvec3{infinity}}, infinity};
+}
+
+/// The box of a ball, with the ball.
+Bounds bounds_of(const Ball& ball) {
+    if (!(ball.radius < infinity)) return everything();
+    const glm::dvec3 half{ball.radius * safety};
+    return {
+        {ball.center, ball.radius * safety}, {ball.center - half, ball.center + half}, infinity};
+}
+
 /// The ball and the box of frame * ball.
 Bounds bounds_of(const glm::dmat3& frame, const Ball& ball) {
+    if (!(ball.radius < infinity)) return everything();
+    const BracketVector center = BracketMatrix{frame} * bracket(ball.center);
+    const glm::dmat3 rows = glm::transpose(frame);
     Bounds bounds;
     bounds.ball.center = frame * ball.center;
-    bounds.ball.radius = lipschitz_constant({frame, glm::dvec3{0.0}}) * ball.radius * safety;
-    const glm::dmat3 rows = glm::transpose(frame);
+    const Bracket lip = norm_at_most(frame);
+    bounds.ball.radius =
+        (lip * ball.radius + length(center - bracket(bounds.ball.center))).high * safety;
     for (int i = 0; i < 3; ++i) {
-        const double half = glm::length(rows[i]) * ball.radius * safety;
-        bounds.box.low[i] = bounds.ball.center[i] - half;
-        bounds.box.high[i] = bounds.ball.center[i] + half;
+        const Bracket half = length(bracket(rows[i])) * ball.radius * safety;
+        bounds.box.low[i] = (center[static_cast<std::size_t>(i)] - half).low;
+        bounds.box.high[i] = (center[static_cast<std::size_t>(i)] + half).high;
     }
-    bounds.ball_slack = std::numeric_limits<double>::infinity();
+    bounds.ball_slack = infinity;
     return bounds;
 }
 
@@ -231,11 +262,13 @@ Bounds bounds_of(const glm::dmat3& frame, const Ball& ball) {
 
 std::vector<Bounds> invariant_volumes(const Rifs& rifs, const Contraction& contraction,
                                       const std::vector<Points>& inner) {
-    const Steps steps = contracting_steps(rifs, contraction.proof);
-    InvariantBalls balls(steps, set_components(rifs), first_centers(steps, inner));
+    const auto steps = contracting_steps(rifs, contraction.proof);
+    if (!steps) return std::vector<Bounds>(rifs.follow_sets.size(), everything());
+    InvariantBalls balls(*steps, set_components(rifs), first_centers(*steps, inner));
     std::vector<Bounds> bounds;
     for (const Ball& ball : balls.solve()) {
-        bounds.push_back(bounds_of(steps.frame[bounds.size()], ball));
+        bounds.push_back(steps->frames ? bounds_of(steps->frames->frame[bounds.size()], ball)
+                                       : bounds_of(ball));
     }
     return bounds;
 }

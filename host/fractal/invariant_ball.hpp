@@ -10,8 +10,9 @@
 
 namespace pxm::host {
 
-/// A ball and a box around each E_s, possibly much too large; infinite if double cannot hold them.
-/// `inner` are points of each E_s. Precondition: `contraction` holds a proof for `rifs`.
+/// A ball and a box around each E_s, possibly much too large; infinite if double cannot hold them
+/// or if `contraction` is no proof for `rifs`. `inner` are points of each E_s. That every image
+/// lies inside was checked in brackets.
 [[nodiscard]] std::vector<Bounds> invariant_volumes(const Rifs& rifs,
                                                     const Contraction& contraction,
                                                     const std::vector<Points>& inner);

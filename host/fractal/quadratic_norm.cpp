@@ -1,8 +1,12 @@
 #include "host/fractal/quadratic_norm.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+
+#include "host/fractal/bracket_matrix.hpp"
+#include "host/fractal/eigen_matrix.hpp"
+#include "host/fractal/spectrum.hpp"
 
 namespace pxm::host {
 
@@ -14,23 +18,6 @@ constexpr int fewest_steps = 4;
 
 using Matrix = Eigen::Matrix3d;
 using Shapes = std::vector<Matrix>;  // symmetric positive, one for each follow set
-
-/// M with M x = x T, as in lipschitz.cpp.
-Matrix eigen(const glm::dmat3& linear) {
-    Matrix result;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) result(row, column) = linear[column][row];
-    }
-    return result;
-}
-
-glm::dmat3 glm_matrix(const Matrix& matrix) {
-    glm::dmat3 result;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) result[column][row] = matrix(row, column);
-    }
-    return result;
-}
 
 /// The operator sum T (x) T by blocks: set s gets the sum of M P_t M^T over its maps.
 Shapes apply(const Rifs& rifs, const Shapes& linear, const Shapes& shapes) {
@@ -75,19 +62,26 @@ double estimated_radius(const Rifs& rifs, const Shapes& linear, int steps) {
     return std::exp(log_growth / counted);
 }
 
-/// The largest rho with image <= rho shape fails below it (Collatz and Wielandt, for matrices).
-double ratio(const Matrix& image, const Matrix& shape) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(image, shape,
-                                                                  Eigen::EigenvaluesOnly);
-    return solver.info() == Eigen::Success ? solver.eigenvalues()(2)
-                                           : std::numeric_limits<double>::infinity();
+/// No smaller than any map's norm from the ellipsoid it finds to the one it leads into.
+double proven_rate(const Rifs& rifs, const std::vector<glm::dmat3>& frame) {
+    double rate = 0;
+    for (std::size_t s = 0; s < frame.size(); ++s) {
+        const BracketMatrix into = inverse_of_lower(frame[s]);
+        for (const int m : rifs.follow_sets[s].maps) {
+            const BracketMatrix inner{frame[static_cast<std::size_t>(rifs.follow_of[m])]};
+            rate =
+                std::max(rate, norm_at_most(into * (BracketMatrix{rifs.maps[m].linear} * inner)));
+            if (!(rate < 1)) return rate;
+        }
+    }
+    return rate;
 }
 
 }  // namespace
 
 std::optional<QuadraticNorm> contracting_norm(const Rifs& rifs) {
     Shapes linear;
-    for (const Affine& map : rifs.maps) linear.push_back(eigen(map.linear));
+    for (const Affine& map : rifs.maps) linear.push_back(eigen_matrix(map.linear));
     const int steps = steps_for(rifs);
     const double radius = estimated_radius(rifs, linear, steps);
     if (!(radius < 1)) return std::nullopt;
@@ -103,11 +97,17 @@ std::optional<QuadraticNorm> contracting_norm(const Rifs& rifs) {
     QuadraticNorm norm;
     double rho = 0;
     for (std::size_t s = 0; s < shapes.size(); ++s) {
-        rho = std::max(rho, ratio(image[s], shapes[s]));
-        norm.frame.push_back(glm_matrix(shapes[s].llt().matrixL()));
+        const glm::dmat3 shape = glm_matrix(shapes[s]);
+        // image <= rho shape fails below it (Collatz and Wielandt, for matrices).
+        const auto ratio = largest_ratio(glm_matrix(image[s]), shape);
+        const auto frame = lower_root(shape);
+        if (!ratio || !frame) return std::nullopt;
+        rho = std::max(rho, *ratio);
+        norm.frame.push_back(*frame);
     }
-    norm.rate = std::sqrt(rho);
     if (!(rho < 1)) return std::nullopt;
+    norm.rate = std::max(std::sqrt(rho), proven_rate(rifs, norm.frame));
+    if (!(norm.rate < 1)) return std::nullopt;
     return norm;
 }
 

@@ -11,13 +11,14 @@
 namespace pxm::host {
 
 /// An ellipsoid for each follow set, frame * unit ball, such that for every set s and map m of s
-/// with follow set t: map m takes the ellipsoid of t into `rate` times the ellipsoid of s.
+/// with follow set t: map m takes the ellipsoid of t into `rate` times the ellipsoid of s, up to
+/// where. Frames are lower triangular; the rate was checked in brackets.
 struct QuadraticNorm {
     std::vector<glm::dmat3> frame;
     double rate = 0;
 };
 
-/// Empty if no rate below 1 was found. Precondition: every map is finite.
+/// Nothing if no rate below 1 was found and proven. Precondition: every map is finite.
 [[nodiscard]] std::optional<QuadraticNorm> contracting_norm(const Rifs& rifs);
 
 }  // namespace pxm::host

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "host/fractal/bracket_matrix.hpp"
+#include "host/fractal/contraction.hpp"
 #include "host/fractal/rifs.hpp"
 
 namespace pxm::host {
@@ -14,8 +16,9 @@ struct ContractingWord {
     int from = 0;
     int to = 0;
     int length = 0;
-    double lip = 0;  // of the composed map, below 1
-    Affine map;
+    double lip = 0;  // no smaller than that of the composed map, below 1
+    BracketMatrix linear;
+    BracketVector translation;
 };
 
 struct WordCode {
@@ -23,10 +26,13 @@ struct WordCode {
     double worst_prefix = 1;  // the largest Lip of a proper prefix, the empty word's 1 included
 };
 
-/// Every admissible word of every follow set, cut where it first contracts. Empty if more than
-/// `budget` words had to be looked at.
+/// Every admissible word of every follow set, cut where it is first sure to contract, whatever
+/// rounding did on the way. Nothing if more than `budget` words had to be looked at.
 [[nodiscard]] std::optional<WordCode> contracting_words(const Rifs& rifs, long budget);
 
-inline constexpr long word_budget = 200'000;
+inline constexpr long word_budget = 200'000;  // words of 312 bytes
+
+/// prove_contraction() that looks at no more than `most_words` words in place of word_budget.
+[[nodiscard]] Contraction prove_contraction(const Rifs& rifs, long most_words);
 
 }  // namespace pxm::host

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host/fractal/cycle_mean.hpp"
+#include "host/fractal/invariant_ball.hpp"
 #include "host/fractal/lipschitz.hpp"
 #include "host/fractal/quadratic_norm.hpp"
 #include "tests/host/fractal/systems.hpp"
@@ -142,6 +143,44 @@ TEST(Contraction, a_ring_of_65536_maps_is_measured_round_the_ring) {
     const Contraction contraction = prove_contraction(with_graph(maps, follow));
     EXPECT_EQ(contraction.proof, ContractionProof::cycle_mean);
     EXPECT_NEAR(contraction.rate, std::sqrt(0.75), 1e-7);
+}
+
+/// Each of two maps vanishes if it is repeated; both in turn multiply by `growth`.
+Rifs alternating(double size, double growth) {
+    Affine there;
+    there.linear = glm::dmat3{0.0};
+    there.linear[0][2] = size;
+    Affine back = there;
+    std::swap(back.linear[0][2], back.linear[2][0]);
+    back.linear[2][0] = growth / size;
+    back.translation = {1, 0, 0};
+    return complete({there, back});
+}
+
+TEST(Contraction, words_that_overflow_prove_nothing) {
+    EXPECT_EQ(prove_contraction(alternating(2, 4)).proof, ContractionProof::none);
+    EXPECT_EQ(prove_contraction(alternating(2, 3)).proof, ContractionProof::none);
+    EXPECT_EQ(prove_contraction(alternating(1e160, 1e160)).proof, ContractionProof::none);
+    Rifs with_middle = alternating(2, 4);
+    for (Affine& affine : with_middle.maps) affine.linear[1][1] = 0.1;
+    EXPECT_EQ(prove_contraction(with_middle).proof, ContractionProof::none);
+}
+
+TEST(Contraction, words_that_vanish_are_told_from_words_too_small_for_double) {
+    EXPECT_NE(prove_contraction(alternating(1e160, 0.9)).proof, ContractionProof::none);
+    EXPECT_NE(prove_contraction(alternating(1e-160, 0.9)).proof, ContractionProof::none);
+    EXPECT_EQ(prove_contraction(alternating(1e160, 1.1)).proof, ContractionProof::none);
+    EXPECT_EQ(prove_contraction(alternating(1e-160, 1.1)).proof, ContractionProof::none);
+}
+
+TEST(Contraction, volumes_of_what_was_not_proven_are_infinite) {
+    const Rifs expanding = complete({uniform(0.5), map({uniform(1.5), translation({1, 0, 0})})});
+    for (const ContractionProof claimed : {ContractionProof::cycle_mean, ContractionProof::none,
+                                           ContractionProof::spectral_radius}) {
+        const Contraction contraction{claimed, 0.5, 1, ""};
+        const Bounds bounds = invariant_volumes(expanding, contraction, {{glm::dvec3{0.0}}})[0];
+        EXPECT_EQ(bounds.ball.radius, std::numeric_limits<double>::infinity());
+    }
 }
 
 }  // namespace
