@@ -1,5 +1,7 @@
 #include "host/render/lifted_fractal.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -13,14 +15,33 @@ namespace {
 
 constexpr double vanishing = 1e-12;  // of the largest singular value, as classify() has it
 constexpr double least_lift = 1e-6;  // thinner would cost a float its digits
-constexpr double most_lift = 1e-2;   // coarser pixels do not make flat images thicker
+constexpr double thinner = 1e-2;     // from one try to the next
+constexpr double thinnest = 1e-30;
+constexpr double most_lift = 1e-2;  // coarser pixels do not make flat images thicker
 
-void lift_singular_maps(Fractal& fractal, double thickness) {
-    for (std::size_t i = 0; i < fractal.exact.maps.size(); ++i) {
-        if (classify(fractal.exact.maps[i]) != MapKind::singular) continue;
-        fractal.rifs.maps[i] = lift(fractal.exact.maps[i], thickness);
+bool has_singular_maps(const Rifs& rifs) {
+    return std::ranges::any_of(
+        rifs.maps, [](const Affine& map) { return classify(map) == MapKind::singular; });
+}
+
+/// Lifts the singular maps to a share of a set. A strong shear counts as singular too, and what
+/// thickness does to it can be large: where the system cannot be shown to contract any more, the
+/// share is made smaller. False if none will do; then nothing changes.
+bool lift_singular_maps(Fractal& fractal, double share) {
+    Rifs lifted = fractal.exact;
+    for (; share >= thinnest; share *= thinner) {
+        for (std::size_t i = 0; i < lifted.maps.size(); ++i) {
+            if (classify(fractal.exact.maps[i]) != MapKind::singular) continue;
+            lifted.maps[i] = lift(fractal.exact.maps[i], share);
+        }
+        Contraction contraction = prove_contraction(lifted);
+        if (contraction.proof == ContractionProof::none) continue;
+        fractal.rifs = std::move(lifted);
+        fractal.contraction = std::move(contraction);
         fractal.lifted = true;
+        return true;
     }
+    return false;
 }
 
 }  // namespace
@@ -31,13 +52,19 @@ std::optional<Fractal> make_fractal(const IfsBlock& block, Diagnostics& diagnost
     Fractal fractal;
     fractal.rifs = proven->rifs;
     fractal.exact = std::move(proven->rifs);
-    fractal.contraction = proven->contraction;
-    lift_singular_maps(fractal, first_lift);
+    fractal.contraction = std::move(proven->contraction);
+    if (has_singular_maps(fractal.exact) && !lift_singular_maps(fractal, first_lift)) {
+        diagnostics.error(block.position,
+                          fmt::format("ifs \"{}\" could not be shown to contract once its singular "
+                                      "maps have the thickness that rays need",
+                                      block.name));
+        return std::nullopt;
+    }
     return fractal;
 }
 
 void lift_again(Fractal& fractal, double share) {
-    lift_singular_maps(fractal, std::clamp(share, least_lift, most_lift));
+    if (!lift_singular_maps(fractal, std::clamp(share, least_lift, most_lift))) return;
     fractal.bounds = bound(fractal.rifs, fractal.contraction);
 }
 
