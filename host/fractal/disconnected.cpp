@@ -88,18 +88,38 @@ class PairSearch {
     }
     Cell image(int m) const { return make(rifs_.maps[m], rifs_.follow_of[m]); }
 
+    /// Two cells that were not told apart; those inside the larger one come next.
+    struct Pair {
+        Cell large;
+        Cell small;
+        std::size_t next = 0;  // of the maps inside `large`
+    };
+
+    /// Depth first, with one pair a level in memory: numbers of the scene decide how many pairs
+    /// there are, not how many are kept.
     bool are_apart(const Cell& a, const Cell& b) {
-        std::vector<std::pair<Cell, Cell>> open{{a, b}};
-        while (!open.empty()) {
-            auto [x, y] = open.back();
-            open.pop_back();
-            if (++looked_at_ > cell_pair_limit) return false;
-            if (bounds_are_apart(x, y)) continue;
-            if (x.ball.radius + y.ball.radius < smallest_cell * size_) return false;  // they touch
-            if (x.ball.radius < y.ball.radius) std::swap(x, y);
-            for (const int m : rifs_.follow_sets[x.set].maps) {
-                open.emplace_back(make(then(rifs_.maps[m], x.place), rifs_.follow_of[m]), y);
+        std::vector<Pair> path;
+        const auto add = [&](const Cell& x, const Cell& y) {
+            if (bounds_are_apart(x, y)) return;
+            const bool ordered = !(x.ball.radius < y.ball.radius);
+            path.push_back(ordered ? Pair{x, y} : Pair{y, x});
+        };
+        if (++looked_at_ > cell_pair_limit) return false;
+        add(a, b);
+        while (!path.empty()) {
+            Pair& pair = path.back();
+            if (pair.large.ball.radius + pair.small.ball.radius < smallest_cell * size_) {
+                return false;  // they touch
             }
+            const std::vector<int>& maps = rifs_.follow_sets[pair.large.set].maps;
+            if (pair.next == maps.size()) {
+                path.pop_back();
+                continue;
+            }
+            if (++looked_at_ > cell_pair_limit) return false;
+            const int m = maps[pair.next++];
+            const Cell inner = make(then(rifs_.maps[m], pair.large.place), rifs_.follow_of[m]);
+            add(inner, Cell{pair.small});
         }
         return true;
     }
