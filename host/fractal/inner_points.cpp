@@ -44,6 +44,15 @@ class Extremes {
         }
     }
 
+    /// As if all that was offered to `others` were offered here.
+    void offer(const Extremes& others) {
+        for (int i = 0; i < directions; ++i) {
+            if (!(others.reach_[i] > reach_[i])) continue;
+            reach_[i] = others.reach_[i];
+            point_[i] = others.point_[i];
+        }
+    }
+
     [[nodiscard]] Points points() const {
         Points result;
         for (const glm::dvec3& point : point_) {
@@ -84,12 +93,15 @@ std::vector<Points> inner_points(const Rifs& rifs) {
     offer_fixed_points(rifs, extremes);
     for (long round = rounds_for(rifs); round > 0; --round) {
         for (std::size_t s = 0; s < points.size(); ++s) points[s] = extremes[s].points();
-        for (std::size_t s = 0; s < points.size(); ++s) {
-            for (const int m : rifs.follow_sets[s].maps) {
-                for (const glm::dvec3& point : points[rifs.follow_of[m]]) {
-                    extremes[s].offer(rifs.maps[m].point(point));
-                }
+        // A map of many sets takes the same points to the same places: they are looked at once.
+        std::vector<Extremes> images(rifs.maps.size());
+        for (std::size_t m = 0; m < images.size(); ++m) {
+            for (const glm::dvec3& point : points[rifs.follow_of[m]]) {
+                images[m].offer(rifs.maps[m].point(point));
             }
+        }
+        for (std::size_t s = 0; s < points.size(); ++s) {
+            for (const int m : rifs.follow_sets[s].maps) extremes[s].offer(images[m]);
         }
     }
     for (std::size_t s = 0; s < points.size(); ++s) points[s] = extremes[s].points();

@@ -18,11 +18,12 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double dear = 300;             // tests a ray: a reason to try more than spheres and boxes
-constexpr double sheet = 1.0 / 20;       // of a map's widest: how much thinner is a sheet
-constexpr double clearly_cheaper = 0.5;  // oriented boxes and hulls: else spheres and boxes stay
-constexpr double hopeless = 3000;        // tests a ray, where ...
-constexpr double much_dearer = 2;        // ... computed volumes need so many times fewer
+constexpr double dear = 300;        // tests a ray: a reason to try more than spheres and boxes
+constexpr double sheet = 1.0 / 20;  // of a map's widest: how much thinner is a sheet
+constexpr std::size_t most_fitted = 300;  // follow sets: fitting hulls to more takes too long
+constexpr double clearly_cheaper = 0.5;   // oriented boxes and hulls: else spheres and boxes stay
+constexpr double hopeless = 3000;         // tests a ray, where ...
+constexpr double much_dearer = 2;         // ... computed volumes need so many times fewer
 
 using Volumes = std::vector<CompiledVolume>;
 
@@ -77,6 +78,7 @@ class Choice {
         };
         try_kind(kernels::Volume::box);
         if (least < dear) return best;
+        if (bounds_.size() > most_fitted) return best;
         least *= clearly_cheaper;
         try_kind(kernels::Volume::oriented);
         try_kind(kernels::Volume::hull);
