@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
@@ -32,12 +33,14 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
+/// The number that the whole text is. "inf" and "nan", which from_chars reads too, are none.
 template <class T>
 std::optional<T> number(const std::string& text) {
     T value{};
     const char* end = text.data() + text.size();
     const auto [stopped, error] = std::from_chars(text.data(), end, value);
     if (error != std::errc() || stopped != end || text.empty()) return std::nullopt;
+    if (!std::isfinite(static_cast<double>(value))) return std::nullopt;
     return value;
 }
 

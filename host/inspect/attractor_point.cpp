@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ios>
 
 #include "host/error.hpp"
 #include "host/fractal/lipschitz.hpp"
@@ -55,7 +56,8 @@ PreciseAffine composed(const Rifs& rifs, const std::vector<std::string>& word) {
 std::string text_of(const Precise& x) {
     Precise rest = abs(x) + pow(Precise(10), -decimals) / 2;
     const Precise whole = floor(rest);
-    std::string text = fmt::format("{}{}.", x < 0 ? "-" : "", whole.convert_to<long long>());
+    // As text: no whole number of the language is wide enough for all of them.
+    std::string text = fmt::format("{}{}.", x < 0 ? "-" : "", whole.str(0, std::ios::fixed));
     rest -= whole;
     for (int i = 0; i < decimals; ++i) {
         rest *= 10;

@@ -72,10 +72,11 @@ TEST_F(CommandLine, an_unknown_option_value_is_code_2_and_told_what_is_expected)
            "--lipschitz: found \"x\", expected one of auto, product, determinant, polar");
     refuse({"--volume", "cone"},
            "--volume: found \"cone\", expected one of auto, sphere, box, oriented, hull");
-    refuse(
-        {"--covers", "2,1"},
-        "--covers: found \"2,1\", expected on, off, area, or tmin,tmax in pixels with 0 < tmin < "
-        "tmax");
+    for (const std::string range : {"2,1", "1,inf", "nan,2"}) {
+        refuse({"--covers", range}, "--covers: found \"" + range +
+                                        "\", expected on, off, area, or tmin,tmax in pixels with "
+                                        "0 < tmin < tmax");
+    }
     refuse({"-o", "x.exr", "--aov", "Z,Q"},
            "--aov: found \"Q\", expected names out of Z node cycles volumes level heap alpha "
            "object word N, separated by commas");

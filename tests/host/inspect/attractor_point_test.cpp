@@ -43,6 +43,13 @@ TEST(AttractorPoint, is_where_the_object_is) {
     EXPECT_EQ(point(placed, {"1"}), "1." + zeros + ",2." + zeros + ",0." + zeros);
 }
 
+TEST(AttractorPoint, may_lie_farther_away_than_whole_numbers_reach) {
+    const std::string zeros(60, '0');
+    EXPECT_EQ(
+        point("ifs a { newmap scale: 0.5 translate: 1e20,-1e20,0 }", {"1"}),
+        "200000000000000000000." + zeros + ",-200000000000000000000." + zeros + ",0." + zeros);
+}
+
 TEST(AttractorPoint, has_an_address) {
     EXPECT_EQ(refused(halves, {"3"}), "2: --point: ifs \"a\" has no map \"3\"");
     EXPECT_EQ(refused(ifs("asymmetric"), {"a", "d"}), "2: --point: map \"d\" may not come there");
