@@ -56,8 +56,9 @@ PreciseAffine composed(const Rifs& rifs, const std::vector<std::string>& word) {
 std::string text_of(const Precise& x) {
     Precise rest = abs(x) + pow(Precise(10), -decimals) / 2;
     const Precise whole = floor(rest);
-    // As text: no whole number of the language is wide enough for all of them.
-    std::string text = fmt::format("{}{}.", x < 0 ? "-" : "", whole.str(0, std::ios::fixed));
+    // As text, up to the point: no whole number of the language is wide enough for all of them.
+    const std::string digits = whole.str(0, std::ios::fixed);
+    std::string text = fmt::format("{}{}.", x < 0 ? "-" : "", digits.substr(0, digits.find('.')));
     rest -= whole;
     for (int i = 0; i < decimals; ++i) {
         rest *= 10;
