@@ -12,6 +12,7 @@
 #include "host/output/spared_inputs.hpp"
 #include "host/render/compile.hpp"
 #include "host/render/link.hpp"
+#include "host/render/native_numeric.hpp"
 #include "host/render/overflow.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/parser.hpp"
@@ -82,10 +83,11 @@ Prepared prepare(const RenderRequest& request) {
     return prepared;
 }
 
-/// The machine's own numbers on the machine, float on the cores at hand, unless the scene says.
+/// The machine's own numbers on the machine, those of native renders else, unless the scene says.
 Numeric numeric_of(const Prepared& prepared, const RenderRequest& request) {
     const RenderBlock render = prepared.scene.render.value_or(RenderBlock{});
-    return render.numeric.value_or(request.machine ? Numeric::dsp32 : Numeric::single);
+    if (render.numeric) return *render.numeric;
+    return request.machine ? Numeric::dsp32 : native_numeric(prepared.compiled);
 }
 
 /// How the first cells are found. To insist on the wide engine where it does not apply is an error

@@ -29,6 +29,25 @@ inline void leave_ray(Workspace& work, int ray) {
     work.improved = true;
 }
 
+/// How the rays of a bundle move in a cell.
+struct BundlePace {
+    float touching;  // of depth, that rounding may part boxes by that touch in an edge
+    bool parallel;   // a ray may hardly move along an axis, and lie in faces across it
+
+    BundlePace(const RayBundle& bundle, const SharedCell& cell, double rounding) {
+        double fastest = 0, slowest = beyond;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double along = std::abs(cell.rows[6 + k]);
+            const double spread = std::abs(cell.rows[k]) * bundle.reach_u1 +
+                                  std::abs(cell.rows[3 + k]) * bundle.reach_v1;
+            fastest = std::max(fastest, along + spread);
+            slowest = std::min(slowest, along - spread);
+        }
+        touching = static_cast<float>(rounding / fastest);
+        parallel = slowest < 2 * slowest_share * fastest;
+    }
+};
+
 /// The rays in the cell's unit coordinates; returns those that meet it, a bit each. Rays in its
 /// faces are left to the clear kernels.
 inline std::uint64_t meet_start_cell(Workspace& work, const SharedCell& cell, StartRays& rays) {
@@ -44,6 +63,8 @@ inline std::uint64_t meet_start_cell(Workspace& work, const SharedCell& cell, St
     const Lanes3<V> u_axis = row(0), v_axis = row(1), w_axis = row(2), middle = row(3);
     const V base = hn::Set(d, static_cast<float>(cell.base));
     const V room = hn::Set(d, rounding);
+    const BundlePace pace(bundle, cell, static_cast<double>(rounding));
+    const V touching = hn::Set(d, cell.spheres ? 0.0F : pace.touching);
     std::uint64_t met = 0, in_face = 0;
     for (int i = 0; i < bundle_rays; i += static_cast<int>(hn::Lanes(d))) {
         const V u1 = hn::LoadU(d, bundle.u1 + i), v1 = hn::LoadU(d, bundle.v1 + i);
@@ -57,13 +78,11 @@ inline std::uint64_t meet_start_cell(Workspace& work, const SharedCell& cell, St
         store3(s, d, rays.direction[0] + i, bundle_rays);
         hn::StoreU(key, d, rays.key + i);
         hn::StoreU(inside.exit, d, rays.exit + i);
-        V exit = inside.exit;
-        if (!cell.spheres) {
-            const V fastest = max3(hn::Abs(s.x), hn::Abs(s.y), hn::Abs(s.z));
-            exit = hn::Add(exit, hn::Div(room, fastest));  // boxes that touch in an edge
+        const V exit = hn::Add(inside.exit, touching);
+        const auto here = hn::And(hn::Le(inside.key, exit), hn::Le(key, exit));
+        if (!cell.spheres && pace.parallel) {
             in_face |= lane_bits(d, in_cube_face(d, o, s, {room, room, room})) << i;
         }
-        const auto here = hn::And(hn::Le(inside.key, exit), hn::Le(key, exit));
         met |= lane_bits(d, here) << i;
     }
     for (std::uint64_t rest = in_face & bundle.inside; rest != 0; rest &= rest - 1) {

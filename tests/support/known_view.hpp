@@ -17,6 +17,7 @@ struct KnownView {
     double width = 0;      // of the picture at `look`; orthographic
     double fov = 0;        // degrees; 0: orthographic
     glm::dmat3 turn{1.0};  // columns: where the axes go
+    bool general = false;  // no ray is in the plane between halves, thirds or fifths by design
 };
 
 /// Along an axis, along faces and along edges of halved squares and cubes, with rays in the planes
