@@ -18,6 +18,7 @@ namespace {
 constexpr double step = std::numbers::sqrt2;  // from one scale to the next
 constexpr double largest_side = 0.25;         // of the attractor's size
 constexpr double smallest_side = 1e-6;
+constexpr double largest_places = 1e100;  // as for objects: squares are within double
 constexpr std::size_t fewest_scales = 9;
 constexpr std::size_t populations = 8;
 constexpr std::size_t pilots = 4;
@@ -163,6 +164,10 @@ BoxCounting count_boxes(const Rifs& rifs, const std::vector<Bounds>& bounds) {
     const double size = std::max({extent.x, extent.y, extent.z});
     const double places = glm::length(glm::max(glm::abs(box.low), glm::abs(box.high)));
     BoxCounting result;
+    if (!(places < largest_places)) {
+        result.method = "not measured: the attractor is too large for it, or too far away";
+        return result;
+    }
     if (!branches(rifs) || size <= 1e-9 * places || size == 0) {
         result.dimension = 0;
         result.points = 1;
