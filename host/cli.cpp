@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <sstream>
-#include <vector>
 
 #include "host/cmd.hpp"
 #include "host/terminal.hpp"
@@ -30,22 +29,24 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
 
 }  // namespace
 
+std::vector<AddedCommand> add_commands(CLI::App& app) {
+    std::vector<AddedCommand> commands;
+    for (const auto add :
+         {add_render_command, add_check_command, add_inspect_command, add_points_command,
+          add_import_command, add_compare_command, add_study_command, add_models_command}) {
+        CommandAction action = add(app);
+        commands.push_back({app.get_subcommands({}).back(), std::move(action)});
+    }
+    return commands;
+}
+
 ExitCode run_command_line(int argc, const char* const* argv) {
     CLI::App app(
         "Ray traces linear fractals, on a simulated Pixel Machine or on the cores at hand.", "pxm");
     app.set_version_flag("--version", version_text());
     app.require_subcommand(1);
     app.failure_message(CLI::FailureMessage::simple);
-    const std::vector<std::pair<CLI::App*, CommandAction>> commands = [&] {
-        std::vector<std::pair<CLI::App*, CommandAction>> list;
-        for (const auto add :
-             {add_render_command, add_inspect_command, add_points_command, add_import_command,
-              add_compare_command, add_study_command, add_models_command}) {
-            CommandAction action = add(app);
-            list.emplace_back(app.get_subcommands({}).back(), std::move(action));
-        }
-        return list;
-    }();
+    const std::vector<AddedCommand> commands = add_commands(app);
     require_known_command(app, argc, argv);
     try {
         app.parse(argc, argv);
@@ -58,8 +59,8 @@ ExitCode run_command_line(int argc, const char* const* argv) {
         throw Error(ExitCode::command_line,
                     std::string(error.what()) + "\ntry: pxm --help, or pxm COMMAND --help");
     }
-    for (const auto& [command, action] : commands) {
-        if (command->parsed()) return action();
+    for (const AddedCommand& command : commands) {
+        if (command.options->parsed()) return command.action();
     }
     return ExitCode::command_line;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "host/error.hpp"
 
@@ -14,8 +15,17 @@ namespace pxm::host {
 /// What a command does once the command line was read.
 using CommandAction = std::function<ExitCode()>;
 
+struct AddedCommand {
+    CLI::App* options;
+    CommandAction action;
+};
+/// Adds every command, in the order of the help.
+[[nodiscard]] std::vector<AddedCommand> add_commands(CLI::App& app);
+
 /// `pxm render SCENE [-o OUT]`.
 [[nodiscard]] CommandAction add_render_command(CLI::App& app);
+/// `pxm check SCENE... [--werror] [--format]`.
+[[nodiscard]] CommandAction add_check_command(CLI::App& app);
 /// `pxm points SCENE -n N -o OUT.ply`.
 [[nodiscard]] CommandAction add_points_command(CLI::App& app);
 /// `pxm inspect SCENE [--json] [-o FILE]`.

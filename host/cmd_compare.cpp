@@ -55,7 +55,7 @@ CommandAction add_compare_command(CLI::App& app) {
             "--tolerance", a->tolerance,
             "Share of pixels that may differ (hit, depth by over a pixel, or colour by over "
             "1/255 in equal cells); over it the exit code is 6. Default 0")
-        ->check(share());
+        ->transform(share());
     return [a] { return compare(*a); };
 }
 

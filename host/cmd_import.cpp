@@ -9,6 +9,7 @@
 #include "host/import/import.hpp"
 #include "host/import/moment_search.hpp"
 #include "host/interrupt.hpp"
+#include "host/option_checks.hpp"
 #include "host/output/safe_file.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/scene/printable.hpp"
@@ -72,10 +73,11 @@ CommandAction add_import_command(CLI::App& app) {
     command->add_flag("--force", a->force, "Replace a scene of the entry's name that is there");
     command->add_option("--entry", a->entry, "The entry of a FRACTINT file that has several");
     command->add_option("--maps", a->request.maps, "Maps to find for an image or points; default 4")
-        ->check(CLI::Range(1, most_moment_maps));
-    command->add_option("--seed", a->request.seed, "Of the search for them; default 1");
+        ->transform(whole_number(1, most_moment_maps));
+    command->add_option("--seed", a->request.seed, "Of the search for them; default 1")
+        ->transform(any_whole_number());
     command->add_option("--seconds", a->request.seconds, "Time for the search; default 20")
-        ->check(CLI::Range(0.0, 86400.0));
+        ->transform(number_within(0, 86400));
     return [a] { return import(*a); };
 }
 

@@ -12,7 +12,8 @@
 #include "host/output/safe_file.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/settings.hpp"
+#include "host/shared_options.hpp"
 #include "host/terminal.hpp"
 
 namespace pxm::host {
@@ -22,6 +23,7 @@ namespace {
 struct InspectArguments {
     std::string scene;
     std::string out;
+    std::vector<std::string> set;
     bool json = false;
     std::vector<std::string> point;
 };
@@ -35,9 +37,10 @@ void put(const std::string& text, const std::string& out) {
 }
 
 ExitCode inspect_scene(const InspectArguments& arguments) {
+    const Settings settings = parse_settings(arguments.set);
     if (!arguments.out.empty()) require_writable(arguments.out);
     Diagnostics diagnostics;
-    const Scene scene = parse_scene(arguments.scene, diagnostics);
+    const Scene scene = parse_scene(arguments.scene, settings, diagnostics);
     if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
     diagnostics.throw_if_errors(scene.files);
     if (!arguments.out.empty()) require_spared({arguments.out}, inputs_of(scene));
@@ -64,7 +67,9 @@ CommandAction add_inspect_command(CLI::App& app) {
     command
         ->add_option("--point", a->point,
                      "Print the attractor's point whose address repeats these maps")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    add_set_option(*command, a->set);
     command->add_option("-o,--out", a->out, "Write to this file; default: the standard output")
         ->check(some_text());
     return [a] { return inspect_scene(*a); };

@@ -6,10 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "dsp_kernels/token_program.hpp"
 #include "host/cmd.hpp"
+#include "host/granted_threads.hpp"
 #include "host/output/json_text.hpp"
 #include "host/render_options.hpp"
 #include "host/terminal.hpp"
@@ -98,11 +98,10 @@ ExitCode send_token(const Model& model) {
         nodes.emplace_back(i % model.columns, i / model.columns, model.columns, model.rows);
     }
     Torus torus(model);
-    const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     const auto steps = run_supersteps(
         torus,
         [&](int node, Ports& ports) { return nodes[static_cast<std::size_t>(node)].step(ports); },
-        threads, 4 * model.nodes());
+        granted_threads().threads, 4 * model.nodes());
     const auto home = nodes.front().home();
     if (!steps || !home) throw Error(ExitCode::run_failed, "the token did not come home");
     put_result(fmt::format(

@@ -8,13 +8,15 @@
 #include "host/fractal/default_weights.hpp"
 #include "host/fractal/proven_rifs.hpp"
 #include "host/interrupt.hpp"
+#include "host/option_checks.hpp"
 #include "host/output/ply.hpp"
 #include "host/output/progress.hpp"
 #include "host/output/safe_file.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/default_objects.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/settings.hpp"
+#include "host/shared_options.hpp"
 #include "host/terminal.hpp"
 
 namespace pxm::host {
@@ -26,6 +28,7 @@ constexpr std::uint64_t points_between_looks = 1 << 16;  // at the stop flag and
 struct PointsArguments {
     std::string scene;
     std::string out;
+    std::vector<std::string> set;
     std::uint64_t count = 0;
     std::uint64_t seed = 1;
     bool quiet = false;
@@ -94,9 +97,10 @@ bool draw_points(std::vector<Player>& players, std::uint64_t count, PlyWriter& f
 }
 
 ExitCode run_points(const PointsArguments& arguments) {
+    const Settings settings = parse_settings(arguments.set);
     require_writable(arguments.out);
     Diagnostics diagnostics;
-    const Scene scene = parse_scene(arguments.scene, diagnostics);
+    const Scene scene = parse_scene(arguments.scene, settings, diagnostics);
     if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
     std::vector<Player> players;
     if (!diagnostics.has_errors()) players = make_players(scene, arguments.seed, diagnostics);
@@ -128,9 +132,11 @@ CommandAction add_points_command(CLI::App& app) {
     command->add_option("scene", a->scene, "The scene file (.pxm)")->required();
     command->add_option("-n,--count", a->count, "How many points")
         ->required()
-        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+        ->transform(whole_number(1, 1'000'000'000'000));
     command->add_option("-o,--out", a->out, "The point cloud, binary PLY")->required();
-    command->add_option("--seed", a->seed, "Another seed gives other points (default 1)");
+    command->add_option("--seed", a->seed, "Another seed gives other points (default 1)")
+        ->transform(any_whole_number());
+    add_set_option(*command, a->set);
     command->add_flag("--quiet", a->quiet, "No progress bar");
     return [a] { return run_points(*a); };
 }

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "host/cmd.hpp"
+#include "host/granted_threads.hpp"
 #include "host/interrupt.hpp"
 #include "host/option_checks.hpp"
 #include "host/output/image.hpp"
@@ -20,6 +20,7 @@
 #include "host/render/render.hpp"
 #include "host/render_options.hpp"
 #include "host/scene/printable.hpp"
+#include "host/shared_options.hpp"
 #include "host/terminal.hpp"
 
 namespace pxm::host {
@@ -33,8 +34,9 @@ struct RenderArguments {
     std::string machine;
     bool native = false;
     std::string cost_model;
-    int threads = 0;  // 0: all cores
+    int threads = 0;  // 0: those granted
     std::string stats;
+    std::vector<std::string> set;
     std::string size, crop, numeric, covers, shading, intersect, lipschitz, volume, aov, pixel;
     std::optional<long> levels;
     std::optional<long> samples;
@@ -65,12 +67,13 @@ SceneOverrides overrides_of(const RenderArguments& a) {
 RenderRequest request_of(const RenderArguments& a) {
     RenderRequest request;
     request.scene_path = a.scene;
+    request.settings = parse_settings(a.set);
     request.overrides = overrides_of(a);
     if (!a.machine.empty()) request.machine = &parse_model("--machine", a.machine);
     if (!a.cost_model.empty()) request.costs = read_cost_model(a.cost_model);
-    request.threads = a.threads > 0
-                          ? a.threads
-                          : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    const ThreadChoice choice = choose_threads(a.threads);
+    request.threads = choice.threads;
+    request.threads_because = choice.because;
     return request;
 }
 
@@ -112,6 +115,8 @@ Metadata metadata_of(const Statistics& s, const RenderArguments& a, const Render
     note("--volume", a.volume);
     note("--detail", text(a.detail));
     note("--heap", text(a.heap));
+    const std::string settings = text_of(parse_settings(a.set));
+    if (!settings.empty()) options += (options.empty() ? "" : " ") + settings;
     return {{"version", PXM_VERSION},
             {"scene", s.scene},
             {"engine", s.engine},
@@ -203,25 +208,27 @@ CommandAction add_render_command(CLI::App& app) {
         ->excludes(native);
     command->add_option("--cost-model", a->cost_model,
                         "Cycles of the machine's operations, a JSON file (docs/machine.md)");
-    command->add_option("--threads", a->threads, "Host threads; default: all cores")
-        ->check(CLI::Range(1, 1024));
+    add_threads_option(*command, a->threads);
     command->add_option("--stats", a->stats, "Write statistics to this JSON file");
+    add_set_option(*command, a->set);
     command->add_option("--size", a->size, "WxH in pixels");
     command->add_option("--crop", a->crop, "x0,y0,x1,y1: only this window, half open");
     command->add_option("--levels", a->levels, "Stop after so many maps")
-        ->check(CLI::Range(0L, 1'000'000'000L));
+        ->transform(whole_number(0, 1'000'000'000));
     command->add_option("--zoom", a->zoom, "Move the eye to look + (eye - look) / F")
-        ->check(positive_number());
+        ->transform(positive_number());
     command->add_option("--numeric", a->numeric, "dsp32, float or double");
-    command->add_option("--samples", a->samples, "Samples a pixel")->check(CLI::Range(1L, 65536L));
+    command->add_option("--samples", a->samples, "Samples a pixel")
+        ->transform(whole_number(1, 65536));
     command->add_option("--covers", a->covers, "on, off, area, or tmin,tmax in pixels");
     command->add_option("--shading", a->shading, "constant, low-pass, high-pass or facet");
     command->add_option("--intersect", a->intersect, "auto, heap, fast or wide");
     command->add_option("--lipschitz", a->lipschitz, "auto, product, determinant or polar");
     command->add_option("--volume", a->volume, "auto, sphere, box, oriented or hull");
     command->add_option("--detail", a->detail, "Cells are terminal at so many pixels")
-        ->check(positive_number());
-    command->add_option("--heap", a->heap, "Entries of the heap")->check(CLI::Range(1L, 65536L));
+        ->transform(positive_number());
+    command->add_option("--heap", a->heap, "Entries of the heap")
+        ->transform(whole_number(1, 65536));
     command->add_option("--aov", a->aov,
                         "Extra EXR channels: Z,node,cycles,volumes,level,heap,"
                         "alpha,object,word,N");

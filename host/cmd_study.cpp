@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <thread>
 
 #include "host/cmd.hpp"
+#include "host/granted_threads.hpp"
 #include "host/option_checks.hpp"
 #include "host/render_options.hpp"
+#include "host/shared_options.hpp"
 #include "host/study/study.hpp"
 
 namespace pxm::host {
@@ -18,7 +19,8 @@ struct StudyArguments {
     std::string kind;
     StudyRequest request;
     std::string size, machine, numeric;
-    int threads = 0;  // 0: all cores
+    int threads = 0;  // 0: those granted
+    std::vector<std::string> set;
 };
 
 ExitCode study(const StudyArguments& a) {
@@ -37,9 +39,10 @@ ExitCode study(const StudyArguments& a) {
     if (!a.size.empty()) request.size = parse_size(a.size);
     if (!a.machine.empty()) request.machine = &parse_model("--machine", a.machine);
     if (!a.numeric.empty()) request.numeric = parse_numeric(a.numeric);
-    request.threads = a.threads > 0
-                          ? a.threads
-                          : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    request.threads = choose_threads(a.threads).threads;
+    request.settings = parse_settings(a.set);
+    if (!request.settings.empty() && request.scenes.empty())
+        throw Error(ExitCode::command_line, "--set: there is no scene to set anything of");
     return run_study(request);
 }
 
@@ -55,20 +58,20 @@ CommandAction add_study_command(CLI::App& app) {
     command->add_option("--size", a->size, "WxH in pixels, of every render");
     command->add_option("--machine", a->machine, "The model to measure on; default 964dX");
     command->add_option("--numeric", a->numeric, "balance: dsp32, float or double");
-    command->add_option("--threads", a->threads, "Host threads; default: all cores")
-        ->check(CLI::Range(1, 1024));
+    add_threads_option(*command, a->threads);
+    add_set_option(*command, a->set);
     command->add_option("--samples", a->request.samples, "shading: points looked at")
-        ->check(CLI::Range(100L, 10'000'000L));
+        ->transform(whole_number(100, 10'000'000));
     command->add_option("--repeats", a->request.repeats, "error: renders a host time is taken of")
-        ->check(CLI::Range(1, 100));
+        ->transform(whole_number(1, 100));
     command
         ->add_option("--budget", a->request.budget_seconds,
                      "error: name the best settings within so many host seconds")
-        ->check(positive_number());
+        ->transform(positive_number());
     command
         ->add_option("--target", a->request.target_error,
                      "error: name the fastest settings with no more than this RMSE")
-        ->check(positive_number());
+        ->transform(positive_number());
     command->add_flag("--fresh", a->request.fresh, "Measure again what is there already");
     command->add_flag("--quiet", a->request.quiet, "No progress");
     return [a] { return study(*a); };

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
 
 #include "host/error.hpp"
+#include "host/number_text.hpp"
 
 namespace pxm::host {
 
@@ -33,23 +32,12 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-/// The number that the whole text is. "inf" and "nan", which from_chars reads too, are none.
-template <class T>
-std::optional<T> number(const std::string& text) {
-    T value{};
-    const char* end = text.data() + text.size();
-    const auto [stopped, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stopped != end || text.empty()) return std::nullopt;
-    if (!std::isfinite(static_cast<double>(value))) return std::nullopt;
-    return value;
-}
-
 /// The whole numbers of a text, if there are exactly `count`.
 std::optional<std::vector<long>> integers(const std::string& text, char separator,
                                           std::size_t count) {
     std::vector<long> values;
     for (const std::string& part : split(text, separator)) {
-        const auto value = number<long>(part);
+        const auto value = number_of_text<long>(part);
         if (!value) return std::nullopt;
         values.push_back(*value);
     }
@@ -100,8 +88,8 @@ CoversChoice parse_covers(const std::string& text) {
     if (text == "area") return AreaCovers{};
     const auto parts = split(text, ',');
     if (parts.size() == 2) {
-        const auto low = number<double>(parts[0]);
-        const auto high = number<double>(parts[1]);
+        const auto low = number_of_text<double>(parts[0]);
+        const auto high = number_of_text<double>(parts[1]);
         if (low && high && *low > 0 && *high > *low) return Covers{*low, *high};
     }
     refuse("--covers", text, "on, off, area, or tmin,tmax in pixels with 0 < tmin < tmax");

@@ -8,6 +8,7 @@
 #include "host/error.hpp"
 #include "host/fractal/lipschitz.hpp"
 #include "host/fractal/rifs.hpp"
+#include "host/number_text.hpp"
 #include "host/render/precise.hpp"
 #include "host/scene/default_objects.hpp"
 
@@ -25,9 +26,8 @@ constexpr int decimals = 60;
 int map_called(const Rifs& rifs, const std::string& name) {
     const auto found = std::ranges::find(rifs.map_names, name);
     if (found != rifs.map_names.end()) return static_cast<int>(found - rifs.map_names.begin());
-    for (std::size_t i = 0; i < rifs.maps.size(); ++i) {
-        if (name == fmt::format("{}", i + 1)) return static_cast<int>(i);
-    }
+    const auto number = number_of_text<std::size_t>(name);
+    if (number && *number >= 1 && *number <= rifs.maps.size()) return static_cast<int>(*number - 1);
     refuse(fmt::format("ifs \"{}\" has no map \"{}\"", rifs.name, name));
 }
 

@@ -88,6 +88,7 @@ std::string statistics_json(const Statistics& s) {
     json["numeric"] = s.numeric;
     json["size"] = {s.size.columns, s.size.rows};
     json["threads"] = s.threads;
+    json["threads_because"] = s.threads_because;
     json["seconds"] = {{"parse", s.seconds.parse}, {"compile", s.seconds.compile},
                        {"load", s.seconds.load},   {"render", s.seconds.render},
                        {"write", s.seconds.write}, {"total", s.seconds.total}};

@@ -5,108 +5,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "host/error.hpp"
 #include "host/output/spared_inputs.hpp"
-#include "host/render/compile.hpp"
 #include "host/render/link.hpp"
-#include "host/render/native_numeric.hpp"
 #include "host/render/overflow.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
+#include "host/render/phase_clock.hpp"
+#include "host/render/prepare.hpp"
 #include "host/scene/words.hpp"
-#include "host/wide/wide_scene.hpp"
 
 namespace pxm::host {
 
 namespace {
-
-/// Seconds since the last call, for one phase after the other.
-class PhaseClock {
-  public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const double seconds = std::chrono::duration<double>(now - last_).count();
-        last_ = now;
-        return seconds;
-    }
-
-  private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-struct IntersectChoice {
-    IntersectMethod method = IntersectMethod::heap;
-    std::string because;
-};
-
-/// What `auto` stands for: the wide engine wherever it applies.
-IntersectChoice choose_intersect(IntersectMethod asked, const std::string& why_not_wide) {
-    if (asked == IntersectMethod::heap || asked == IntersectMethod::fast) {
-        return {asked, "it was asked for"};
-    }
-    if (!why_not_wide.empty()) return {IntersectMethod::heap, why_not_wide};
-    return {IntersectMethod::wide, asked == IntersectMethod::wide
-                                       ? "it was asked for"
-                                       : "a native render in float whose objects it can do"};
-}
-
-/// A scene that was parsed, checked and compiled without an error.
-struct Prepared {
-    Scene scene;
-    CompiledScene compiled;
-    std::string warnings;
-    double parse_seconds = 0;
-    double compile_seconds = 0;
-};
-
-Prepared prepare(const RenderRequest& request) {
-    PhaseClock clock;
-    Prepared prepared;
-    Diagnostics diagnostics;
-    prepared.scene = parse_scene(request.scene_path, diagnostics);
-    if (!diagnostics.has_errors()) {
-        apply(request.overrides, prepared.scene);
-        check_scene(prepared.scene, diagnostics);
-    }
-    prepared.parse_seconds = clock.lap();
-    if (!diagnostics.has_errors()) {
-        prepared.compiled = compile(prepared.scene, request.overrides.zoom, diagnostics);
-    }
-    if (request.cell_cap) prepared.compiled.cell_cap = *request.cell_cap;
-    diagnostics.throw_if_errors(prepared.scene.files);
-    prepared.warnings = diagnostics.warnings_text(prepared.scene.files);
-    if (!prepared.warnings.empty()) prepared.warnings += '\n';
-    prepared.compile_seconds = clock.lap();
-    return prepared;
-}
-
-/// The machine's own numbers on the machine, those of native renders else, unless the scene says.
-Numeric numeric_of(const Prepared& prepared, const RenderRequest& request) {
-    const RenderBlock render = prepared.scene.render.value_or(RenderBlock{});
-    if (render.numeric) return *render.numeric;
-    return request.machine ? Numeric::dsp32 : native_numeric(prepared.compiled);
-}
-
-/// How the first cells are found. To insist on the wide engine where it does not apply is an error
-/// of whoever insists.
-IntersectChoice intersect_of(const Prepared& prepared, const RenderRequest& request) {
-    const RenderBlock render = prepared.scene.render.value_or(RenderBlock{});
-    const IntersectMethod asked = render.intersect.value_or(IntersectMethod::automatic);
-    const std::string why_not =
-        request.machine ? "the machine's nodes have no wide registers"
-                        : wide::why_not_wide(prepared.compiled, numeric_of(prepared, request));
-    if (asked != IntersectMethod::wide || why_not.empty()) return choose_intersect(asked, why_not);
-    if (request.overrides.intersect) {
-        throw Error(ExitCode::command_line, "--intersect wide: " + why_not);
-    }
-    Diagnostics diagnostics;
-    diagnostics.error(render.intersect_position, "render: 'intersect: wide': " + why_not);
-    diagnostics.throw_if_errors(prepared.scene.files);
-    return {};
-}
 
 const char* name_of(Numeric numeric) {
     switch (numeric) {
@@ -119,10 +30,6 @@ const char* name_of(Numeric numeric) {
     }
     return "";
 }
-
-}  // namespace
-
-namespace {
 
 /// What is known before the first ray.
 RenderResult begin_result(const RenderRequest& request, const Prepared& prepared,
@@ -141,6 +48,7 @@ RenderResult begin_result(const RenderRequest& request, const Prepared& prepared
     statistics.numeric = name_of(choice.numeric);
     statistics.size = scene.size;
     statistics.threads = request.threads;
+    statistics.threads_because = request.threads_because;
     statistics.intersect = word_of(intersect_words, choice.intersect);
     statistics.rerooted = rerooted(scene);
     statistics.program = program;

@@ -10,6 +10,7 @@
 #include "host/render/frame.hpp"
 #include "host/render/statistics.hpp"
 #include "host/scene/scene.hpp"
+#include "host/scene/settings.hpp"
 
 namespace pxm::host {
 
@@ -35,9 +36,11 @@ void apply(const SceneOverrides& overrides, Scene& scene);
 
 struct RenderRequest {
     std::string scene_path;
+    Settings settings;  // of the scene, under the overrides
     SceneOverrides overrides;
     const Model* machine = nullptr;  // null: native
     int threads = 1;
+    std::string threads_because;             // why so many: for the statistics
     CostModel costs = default_cost_model();  // of the machine
     std::optional<std::uint32_t> cell_cap;   // of studies; absent: that of CompiledScene
     std::vector<std::string> outputs;  // to be written: none may be what the scene is read from

@@ -76,6 +76,7 @@ struct Statistics {
     std::string numeric;
     PixelSize size;
     int threads = 1;
+    std::string threads_because;  // why so many
     PhaseSeconds seconds;
     std::string intersect;          // "heap" or "wide"
     std::string intersect_because;  // why this one

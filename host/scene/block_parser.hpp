@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <variant>
 
 #include "host/scene/grammar.hpp"
 #include "host/scene/scene.hpp"
@@ -17,6 +18,10 @@ namespace pxm::host {
 /// the end of the file. Braces inside are skipped in pairs.
 void skip_until(TokenReader& tokens, const std::function<bool()>& stop);
 
+/// A block that is there already.
+using AnyBlock = std::variant<IfsBlock*, ObjectBlock*, PlaneBlock*, TextureBlock*, LightBlock*,
+                              CameraBlock*, ImageBlock*, RenderBlock*>;
+
 class BlockParser {
   public:
     BlockParser(TokenReader& tokens, const Constants& constants, Scene& scene)
@@ -24,6 +29,10 @@ class BlockParser {
 
     /// Reads the block that is next into the scene; the next token is its kind.
     void block();
+
+    /// Reads one directive into a block, in place of what the block says of it; the next token is
+    /// its word. One of a map goes to the block's last.
+    void directive(const AnyBlock& block);
 
   private:
     struct Head {
@@ -39,6 +48,15 @@ class BlockParser {
     void camera();
     void image();
     void render();
+
+    void directive_of(IfsBlock& block);
+    void directive_of(ObjectBlock& block);
+    void directive_of(PlaneBlock& block);
+    void directive_of(TextureBlock& block);
+    void directive_of(LightBlock& block);
+    void directive_of(CameraBlock& block);
+    void directive_of(ImageBlock& block);
+    void directive_of(RenderBlock& block);
 
     using Handler = std::function<void(const Token& word)>;
     void body(const BlockGrammar& grammar, const Handler& handler);

@@ -46,8 +46,8 @@ bool begins_as_scene(const std::string& text) {
 
 class SceneParser {
   public:
-    SceneParser(Diagnostics& diagnostics, const FileReader& reader)
-        : diagnostics_(diagnostics), reader_(reader) {}
+    SceneParser(Diagnostics& diagnostics, const FileReader& reader, const LetNumber& let_number)
+        : diagnostics_(diagnostics), reader_(reader), let_number_(let_number) {}
 
     Scene parse(const std::string& name, const std::string& text) {
         file(fs::path(name).lexically_normal().string(), name, text);
@@ -66,6 +66,7 @@ class SceneParser {
 
     Diagnostics& diagnostics_;
     const FileReader& reader_;
+    const LetNumber& let_number_;
     Scene scene_;
     Constants constants_;
     std::vector<std::string> open_files_;  // the file being read and those that include it
@@ -113,7 +114,8 @@ void SceneParser::let(TokenReader& tokens) {
     ValueReader values(tokens, constants_);
     const std::string constant = values.name("a number");
     tokens.expect('=', "let NAME = expression");
-    const double value = values.number();
+    double value = values.number();
+    if (let_number_) value = let_number_(constant, value);
     if (!constants_.emplace(constant, value).second)
         tokens.report(name.position,
                       fmt::format("'{}' is named twice by 'let'", printable(constant)));
@@ -181,13 +183,14 @@ std::string read_file(const std::string& path) {
     return text;
 }
 
-Scene parse_scene(const std::string& path, Diagnostics& diagnostics, const FileReader& reader) {
-    return parse_text(path, reader(path), diagnostics, reader);
+Scene parse_scene(const std::string& path, Diagnostics& diagnostics, const FileReader& reader,
+                  const LetNumber& let_number) {
+    return parse_text(path, reader(path), diagnostics, reader, let_number);
 }
 
 Scene parse_text(const std::string& name, const std::string& text, Diagnostics& diagnostics,
-                 const FileReader& reader) {
-    return SceneParser(diagnostics, reader).parse(name, text);
+                 const FileReader& reader, const LetNumber& let_number) {
+    return SceneParser(diagnostics, reader, let_number).parse(name, text);
 }
 
 }  // namespace pxm::host

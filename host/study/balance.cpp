@@ -170,6 +170,7 @@ StudyPlan plan_balance(const StudyRequest& request) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         RenderRequest render;
         render.scene_path = request.scenes[i];
+        render.settings = request.settings;
         render.overrides.size = request.size;
         render.overrides.numeric = request.numeric;
         render.machine = request.machine ? request.machine : find_model("964dX");
@@ -177,7 +178,7 @@ StudyPlan plan_balance(const StudyRequest& request) {
         Json settings = {{"study", "balance"},
                          {"pxm", PXM_VERSION},
                          {"scene", render.scene_path},
-                         {"content", fingerprint_of(render.scene_path)},
+                         {"content", fingerprint_of(render.scene_path, request.settings)},
                          {"model", render.machine->name},
                          {"numeric", request.numeric ? static_cast<int>(*request.numeric) : -1},
                          {"costs", costs_json()}};

@@ -36,6 +36,7 @@ RenderRequest request_for(const StabilityCase& one, const std::string& path,
                           const NumberChoice& choice, int threads) {
     RenderRequest request;
     request.scene_path = path;
+    request.settings = one.settings;
     request.threads = threads;
     request.overrides.numeric = choice.numeric;
     request.overrides.intersect = choice.intersect;
@@ -152,7 +153,11 @@ Json measure_case(const StabilityCase& one, const std::string& name, int threads
 StudyPlan plan_stability(const StudyRequest& request) {
     StudyPlan plan;
     std::vector<StabilityCase> cases = stability_cases();
-    for (const std::string& scene : request.scenes) cases.push_back(case_of(scene, request.size));
+    for (const std::string& scene : request.scenes) {
+        cases.push_back(case_of(scene, request.size));
+        cases.back().settings = request.settings;
+    }
+
     for (const StabilityCase& one : cases) {
         const std::string name = fmt::format("case-{:02}", plan.units.size() + 1);
         const PixelSize size = one.size.value_or(PixelSize{});
@@ -164,7 +169,7 @@ StudyPlan plan_stability(const StudyRequest& request) {
               {"size", {size.columns, size.rows}},
               {"volume", static_cast<int>(one.volume.value_or(VolumeKind{}))},
               {"cell_cap", one.cell_cap.value_or(0)},
-              {"scene", one.path.empty() ? one.text(1) : fingerprint_of(one.path)}},
+              {"scene", one.path.empty() ? one.text(1) : fingerprint_of(one.path, one.settings)}},
              [=, threads = request.threads](const UnitControl& control) {
                  return measure_case(one, name, threads, control);
              }});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/scene/scene.hpp"
+#include "host/scene/settings.hpp"
 
 namespace pxm::host {
 
@@ -26,6 +27,7 @@ struct StabilityCase {
     /// The scene with all lengths of the world multiplied by `unit`: the same picture in exact
     /// numbers, other roundings.
     std::function<std::string(double unit)> text;
+    Settings settings = {};  // of a user's scene
 };
 
 [[nodiscard]] std::vector<StabilityCase> stability_cases();

@@ -106,6 +106,7 @@ Json heading(const StudyRequest& request) {
     if (request.size) options["size"] = {request.size->columns, request.size->rows};
     if (request.machine) options["machine"] = request.machine->name;
     options["threads"] = request.threads;
+    for (const Setting& setting : request.settings) options["set"][setting.key] = setting.value;
     json["options"] = options;
     return json;
 }

@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "host/output/image.hpp"
-#include "host/scene/parser.hpp"
 #include "host/scene/print.hpp"
 #include "host/study/plot.hpp"
 
@@ -37,9 +36,9 @@ std::vector<std::string> file_names_of(const std::vector<std::string>& scenes) {
     return names;
 }
 
-std::string fingerprint_of(const std::string& scene) {
+std::string fingerprint_of(const std::string& scene, const Settings& settings) {
     Diagnostics diagnostics;
-    const Scene parsed = parse_scene(scene, diagnostics);
+    const Scene parsed = parse_scene(scene, settings, diagnostics);
     diagnostics.throw_if_errors(parsed.files);
     std::uint64_t hash = 0xcbf2'9ce4'8422'2325;  // FNV-1a
     for (const char c : print_scene(parsed))

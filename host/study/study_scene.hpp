@@ -15,9 +15,9 @@ namespace pxm::host {
 /// Names for the files of several scenes: their stems, numbered where two are the same.
 [[nodiscard]] std::vector<std::string> file_names_of(const std::vector<std::string>& scenes);
 
-/// A hash of what the scene says, includes too, as 16 hex digits. Throws Error(ExitCode::file,
-/// scene).
-[[nodiscard]] std::string fingerprint_of(const std::string& scene);
+/// A hash of what the scene says with what is set of it, includes too, as 16 hex digits. Throws
+/// Error(ExitCode::file, scene).
+[[nodiscard]] std::string fingerprint_of(const std::string& scene, const Settings& settings);
 
 /// Renders, or throws StudyStopped.
 [[nodiscard]] RenderResult render_unit(const RenderRequest& request, const UnitControl& control);

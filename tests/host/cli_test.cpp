@@ -93,9 +93,12 @@ TEST_F(CommandLine, a_number_out_of_range_is_code_2) {
         refuse({"--detail", text},
                "--detail: found \"" + std::string(text) + "\", expected a number above 0" + usage);
     }
-    refuse({"--threads", "0"}, "--threads: Value 0 not in range 1 to 1024" + usage);
-    refuse({"--heap", "65537"}, "--heap: Value 65537 not in range 1 to 65536" + usage);
-    refuse({"--levels", "-1"}, "--levels: Value -1 not in range 0 to 1000000000" + usage);
+    refuse({"--threads", "0"},
+           "--threads: found \"0\", expected a whole number from 1 to 1024" + usage);
+    refuse({"--heap", "65537"},
+           "--heap: found \"65537\", expected a whole number from 1 to 65536" + usage);
+    refuse({"--levels", "-1"},
+           "--levels: found \"-1\", expected a whole number from 0 to 1000000000" + usage);
     refuse({"--size", ""}, "--size: found \"\", expected a value" + usage);
 }
 

@@ -55,9 +55,10 @@ void expect_keys(const Json& json, const Keys& documented) {
     for (const std::string& key : documented) EXPECT_TRUE(there.contains(key)) << key;
 }
 
-const Keys on_both{"pxm",        "scene",   "engine", "model", "numeric",        "size",
-                   "threads",    "seconds", "rays",   "hits",  "volumes_tested", "heap_overflows",
-                   "capped_rays"};
+const Keys on_both{"pxm",         "scene",          "engine",         "model",
+                   "numeric",     "size",           "threads",        "seconds",
+                   "rays",        "hits",           "volumes_tested", "heap_overflows",
+                   "capped_rays", "threads_because"};
 
 TEST(StatisticsJson, a_native_run_has_the_documented_keys) {
     const Json json = Json::parse(statistics_json(some_statistics()));

@@ -1,0 +1,76 @@
+// `pxm check SCENE...`: what is known of scenes without rendering them; or a scene formatted.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "host/cmd.hpp"
+#include "host/option_checks.hpp"
+#include "host/render/findings.hpp"
+#include "host/scene/format.hpp"
+#include "host/scene/parser.hpp"
+#include "host/shared_options.hpp"
+#include "host/terminal.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+struct CheckArguments {
+    std::vector<std::string> scenes;
+    std::vector<std::string> set;
+    bool werror = false;
+    bool format = false;
+};
+
+/// Prints the findings; what a scene ends with.
+ExitCode check_one(const std::string& scene, const Settings& settings, bool werror) {
+    Findings found;
+    try {
+        found = findings_of(scene, settings);
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::file) throw;
+        tell(std::string(error.what()) + "\n");
+        return error.code();
+    }
+    if (!found.text.empty()) tell(found.text + "\n");
+    return found.errors || (werror && found.warnings) ? ExitCode::scene : ExitCode::done;
+}
+
+/// Whether its text can be read as a scene: what is wrong beyond that has no bearing on its form.
+void print_formatted(const std::string& scene) {
+    const std::string text = read_file(scene);
+    Diagnostics diagnostics;
+    const Scene parsed = parse_text(scene, text, diagnostics);
+    if (!diagnostics.has_errors()) put_result(format_scene(text));
+}
+
+ExitCode check(const CheckArguments& arguments) {
+    if (arguments.format && arguments.scenes.size() > 1)
+        throw Error(ExitCode::command_line, "--format: it prints one scene, give it no more");
+    const Settings settings = parse_settings(arguments.set);
+    ExitCode worst = ExitCode::done;
+    for (const std::string& scene : arguments.scenes) {
+        const ExitCode code = check_one(scene, settings, arguments.werror);
+        worst = std::max(worst, code);
+    }
+    if (arguments.format && worst != ExitCode::file) print_formatted(arguments.scenes.front());
+    return worst;
+}
+
+}  // namespace
+
+CommandAction add_check_command(CLI::App& app) {
+    const auto a = std::make_shared<CheckArguments>();
+    CLI::App* command =
+        app.add_subcommand("check", "Say what is wrong with scenes, without rendering");
+    command->add_option("scenes", a->scenes, "The scene files (.pxm)")
+        ->required()
+        ->check(some_text());
+    add_set_option(*command, a->set);
+    command->add_flag("--werror", a->werror, "Warnings count as errors");
+    command->add_flag("--format", a->format,
+                      "Print the scene formatted, with its comments, on the standard output");
+    return [a] { return check(*a); };
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,21 @@
+// What is known of a scene without rendering it.
+#pragma once
+
+#include <string>
+
+#include "host/scene/settings.hpp"
+
+namespace pxm::host {
+
+struct Findings {
+    bool errors = false;
+    bool warnings = false;
+    std::string text;  // all of them, as a render would tell them; lines without the last newline
+};
+
+/// Parses, checks and compiles the scene, and finds its method of intersection. What is wrong with
+/// it or with a file that it names is in the findings. Throws Error: the scene's own file cannot be
+/// read (4), a setting is wrong (2).
+[[nodiscard]] Findings findings_of(const std::string& scene_path, const Settings& settings);
+
+}  // namespace pxm::host

@@ -1,0 +1,70 @@
+#include "host/render/prepare.hpp"
+
+#include "host/error.hpp"
+#include "host/render/compile.hpp"
+#include "host/render/native_numeric.hpp"
+#include "host/render/phase_clock.hpp"
+#include "host/scene/check.hpp"
+#include "host/wide/wide_scene.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+/// What `auto` stands for: the wide engine wherever it applies.
+IntersectChoice choose_intersect(IntersectMethod asked, const std::string& why_not_wide) {
+    if (asked == IntersectMethod::heap || asked == IntersectMethod::fast) {
+        return {asked, "it was asked for"};
+    }
+    if (!why_not_wide.empty()) return {IntersectMethod::heap, why_not_wide};
+    return {IntersectMethod::wide, asked == IntersectMethod::wide
+                                       ? "it was asked for"
+                                       : "a native render in float whose objects it can do"};
+}
+
+}  // namespace
+
+Prepared prepare(const RenderRequest& request) {
+    PhaseClock clock;
+    Prepared prepared;
+    Diagnostics diagnostics;
+    prepared.scene = parse_scene(request.scene_path, request.settings, diagnostics);
+    if (!diagnostics.has_errors()) {
+        apply(request.overrides, prepared.scene);
+        check_scene(prepared.scene, diagnostics);
+    }
+    prepared.parse_seconds = clock.lap();
+    if (!diagnostics.has_errors()) {
+        prepared.compiled = compile(prepared.scene, request.overrides.zoom, diagnostics);
+    }
+    if (request.cell_cap) prepared.compiled.cell_cap = *request.cell_cap;
+    diagnostics.throw_if_errors(prepared.scene.files);
+    prepared.warnings = diagnostics.warnings_text(prepared.scene.files);
+    if (!prepared.warnings.empty()) prepared.warnings += '\n';
+    prepared.compile_seconds = clock.lap();
+    return prepared;
+}
+
+Numeric numeric_of(const Prepared& prepared, const RenderRequest& request) {
+    const RenderBlock render = prepared.scene.render.value_or(RenderBlock{});
+    if (render.numeric) return *render.numeric;
+    return request.machine ? Numeric::dsp32 : native_numeric(prepared.compiled);
+}
+
+IntersectChoice intersect_of(const Prepared& prepared, const RenderRequest& request) {
+    const RenderBlock render = prepared.scene.render.value_or(RenderBlock{});
+    const IntersectMethod asked = render.intersect.value_or(IntersectMethod::automatic);
+    const std::string why_not =
+        request.machine ? "the machine's nodes have no wide registers"
+                        : wide::why_not_wide(prepared.compiled, numeric_of(prepared, request));
+    if (asked != IntersectMethod::wide || why_not.empty()) return choose_intersect(asked, why_not);
+    if (request.overrides.intersect) {
+        throw Error(ExitCode::command_line, "--intersect wide: " + why_not);
+    }
+    Diagnostics diagnostics;
+    diagnostics.error(render.intersect_position, "render: 'intersect: wide': " + why_not);
+    diagnostics.throw_if_errors(prepared.scene.files);
+    return {};
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,23 @@
+#include "host/shared_options.hpp"
+
+#include "host/granted_threads.hpp"
+#include "host/option_checks.hpp"
+
+namespace pxm::host {
+
+void add_threads_option(CLI::App& command, int& threads) {
+    command
+        .add_option("--threads", threads,
+                    "Host threads; default: the cores that the process may use")
+        ->transform(whole_number(1, most_threads));
+}
+
+void add_set_option(CLI::App& command, std::vector<std::string>& texts) {
+    command
+        .add_option("--set", texts,
+                    "NAME=NUMBER of a `let`, or BLOCK.DIRECTIVE=VALUE, as camera.fov=30 or "
+                    "object.elm.levels=5; any number of times")
+        ->allow_extra_args(false);
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,16 @@
+// Options that several commands have.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace pxm::host {
+
+/// `--threads N`; it stays 0 if it is not given (granted_threads.hpp).
+void add_threads_option(CLI::App& command, int& threads);
+
+/// `--set KEY=VALUE`, as often as one likes (scene/settings.hpp).
+void add_set_option(CLI::App& command, std::vector<std::string>& texts);
+
+}  // namespace pxm::host
