@@ -1,0 +1,95 @@
+// Known surfaces and solids from all sides, in all kinds of volumes, by all engines: no ray is lost
+// in the faces between their cells, and none ends farther from them than a cell reaches.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "host/render/native_numeric.hpp"
+#include "host/wide/wide_engine.hpp"
+#include "host/wide/wide_scene.hpp"
+#include "tests/support/compile_text.hpp"
+#include "tests/support/known_view.hpp"
+
+namespace pxm::test {
+namespace {
+
+using namespace host;
+
+constexpr int side = 48;  // of the pictures, in pixels; known_views() counts on it
+
+bool is_wide(const CompiledScene& scene) {
+    return wide::why_not_wide(scene, Numeric::single).empty();
+}
+
+/// As `pxm render` does it.
+Frame rendered(const CompiledScene& scene) {
+    EngineChoice choice;
+    choice.numeric = native_numeric(scene);
+    choice.intersect = is_wide(scene) ? IntersectMethod::wide : IntersectMethod::heap;
+    return run_natively(scene, choice, {}).frame;
+}
+
+/// Views whose rays are in no face by design.
+std::vector<KnownView> general_views() {
+    std::vector<KnownView> views = known_views();
+    std::erase_if(views, [](const KnownView& view) { return !view.general; });
+    return views;
+}
+
+class KnownSurfacesFromAllSides : public testing::TestWithParam<KnownSurface> {
+  protected:
+    [[nodiscard]] CompiledScene compiled(const KnownView& view, const std::string& render) const {
+        return compile_text(text_of(GetParam(), view, side, render), 1, NearCells::kept);
+    }
+    void expect_whole(const KnownView& view, const CompiledScene& scene, const Frame& frame,
+                      const std::string& how) const {
+        const SurfaceVerdict verdict = judge(GetParam(), view, scene, frame);
+        EXPECT_EQ(verdict.lost, 0) << how << '\n' << verdict.report;
+        EXPECT_EQ(verdict.beside, 0) << how << '\n' << verdict.report;
+    }
+};
+
+TEST_P(KnownSurfacesFromAllSides, have_no_cracks_in_any_volume_with_flat_faces) {
+    for (const KnownView& view : known_views()) {
+        for (const char* volume : {"auto", "box", "oriented", "hull"}) {
+            const CompiledScene scene = compiled(view, std::string("volume: ") + volume);
+            expect_whole(view, scene, rendered(scene), fmt::format("by default, {}", volume));
+            expect_whole(view, scene, render_natively(scene, Numeric::twice).frame,
+                         fmt::format("heap in double, {}", volume));
+        }
+    }
+}
+
+/// In float too where no ray is in a face by design: there they are right in boxes along the axes
+/// alone, and on the machine.
+TEST_P(KnownSurfacesFromAllSides, have_no_cracks_in_float) {
+    for (const KnownView& view : general_views()) {
+        const CompiledScene scene = compiled(view, "");
+        expect_whole(view, scene, render_natively(scene, Numeric::single).frame, "float");
+        expect_whole(view, scene, render_on("964dX", scene, Numeric::dsp32).frame, "dsp32");
+    }
+}
+
+/// In double: where balls only touch, at the corners of tiles, floats lose rays through them.
+TEST_P(KnownSurfacesFromAllSides, have_no_cracks_in_balls) {
+    for (const KnownView& view : known_views()) {
+        const CompiledScene scene = compiled(view, "volume: sphere");
+        expect_whole(view, scene, render_natively(scene, Numeric::twice).frame, "balls");
+    }
+}
+
+/// Normals of flat faces are exact but for rays that come in by the rim of a thin volume, and those
+/// of curved ones near enough, where no ray is in a face between two hulls by design.
+TEST_P(KnownSurfacesFromAllSides, are_turned_as_they_are) {
+    for (const KnownView& view : general_views()) {
+        const CompiledScene scene = compiled(view, "");
+        const SurfaceVerdict verdict =
+            judge(GetParam(), view, scene, rendered(scene), GetParam().is_curved() ? 25 : 1);
+        EXPECT_LE(50 * verdict.turned, verdict.flat) << verdict.report;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, KnownSurfacesFromAllSides, testing::ValuesIn(known_surfaces()),
+                         [](const auto& one) { return one.param.name; });
+
+}  // namespace
+}  // namespace pxm::test
