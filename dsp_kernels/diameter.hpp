@@ -5,6 +5,8 @@
 // exceptions.
 #pragma once
 
+#include <concepts>
+
 #include "dsp_kernels/cell.hpp"
 #include "dsp_kernels/scene_block.hpp"
 
@@ -18,6 +20,13 @@ struct Symmetric {
     Real xx, yy, zz, xy, yz, zx;
 };
 
+/// An off-diagonal entry that is this much smaller than what its two diagonal entries differ by
+/// turns nothing else: theta is then so large that its square would leave the range of Real, and
+/// the rotation changes no entry by as much as a unit of its last place.
+template <class Real>
+inline constexpr Real turns_nothing = from_double<Real>(std::same_as<Real, double> ? 0x1p-500
+                                                                                   : 0x1p-60);
+
 /// One Jacobi rotation that makes `apq` vanish; `arp`, `arq` are the other two off-diagonal
 /// entries.
 template <NodeLike Node, class Real = typename Node::Real>
@@ -25,12 +34,20 @@ void jacobi_rotate(Node& node, Real& app, Real& aqq, Real& apq, Real& arp, Real&
     node.tally(Operation::select, 1);
     node.tally(Operation::compare_branch, 1);
     if (!(Real(0) < absolute(apq))) return;
+    node.tally(Operation::select, 1);
+    node.tally(Operation::multiply_add, 2);
+    node.tally(Operation::compare_branch, 1);
+    const Real difference = aqq - app;
+    if (!(turns_nothing<Real> * absolute(difference) < absolute(apq))) {
+        apq = Real(0);
+        return;
+    }
     node.tally(Operation::compare_branch, 1);
     node.tally(Operation::divide, 2);
     node.tally(Operation::square_root, 1);
     node.tally(Operation::reciprocal_square_root, 1);
-    node.tally(Operation::multiply_add, 12);
-    const Real theta = (aqq - app) / (apq + apq);
+    node.tally(Operation::multiply_add, 11);
+    const Real theta = difference / (apq + apq);
     const Real root = square_root(theta * theta + Real(1));
     const Real t = Real(1) / (theta < Real(0) ? theta - root : theta + root);
     const Real c = reciprocal_square_root(t * t + Real(1));

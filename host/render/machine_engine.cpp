@@ -105,6 +105,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     std::atomic<std::size_t> done = 0;
     std::atomic<bool> stopped = false;
     const auto program = [&](Node<Real>& node) {
+        clear_overflow();  // a thread begins with the flags of whoever started it
         RayStatistics& counts = rays[static_cast<std::size_t>(node.index())];
         const kernels::PixelShare share = node_share(scene.crop, model, node.id());
         if (share.x0 >= share.x1 || share.y0 >= share.y1) return;

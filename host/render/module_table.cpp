@@ -31,7 +31,7 @@ const std::vector<MeasuredModule> module_table{
     {"pixel_program", 145, 0, 0},
     {"plane", 658, 16, 0},
     {"point_light", 1709, 20, 0},
-    {"polar", 893, 24, 0},
+    {"polar", 941, 28, 0},
     {"shade", 2051, 68, 0},
     {"shadow", 83, 0, 0},
     {"shadow_point", 209, 0, 0},

@@ -66,6 +66,7 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     {
         RayStatistics rays;
         std::optional<NativeNode<Real>> node;
+        clear_overflow();  // a thread keeps the flags of what it computed before
         failure.guard([&] {
             node.emplace(block, scene.texture_words, scene.heap, sizeof(kernels::Cell<Real>));
         });

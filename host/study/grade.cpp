@@ -22,6 +22,17 @@ double missed_share(const RenderResult& picture, std::vector<char> wrong) {
     return share_of(wrong);
 }
 
+AlarmedPixels alarmed_pixels(const RenderResult& picture, const std::vector<char>& wrong,
+                             PixelAlarm alarm) {
+    AlarmedPixels alarmed;
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+        if ((picture.frame.pixels[i].alarms & alarm) == 0) continue;
+        ++alarmed.pixels;
+        if (wrong[i] != 0) ++alarmed.wrong;
+    }
+    return alarmed;
+}
+
 const char* grade_of(double wrong_share, bool alarmed) {
     if (wrong_share <= right_share) return "right";
     if (wrong_share <= degraded_share) return "degraded";

@@ -1,8 +1,10 @@
 // How a render of the stability study did.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include "host/render/alarms.hpp"
 #include "host/study/deviation.hpp"
 
 namespace pxm::host {
@@ -18,6 +20,13 @@ inline constexpr double degraded_share = 0.02;  // more is a failure
 [[nodiscard]] double share_of(const std::vector<char>& marks);
 /// Of all pixels, those that are wrong and have no alarm of their own.
 [[nodiscard]] double missed_share(const RenderResult& picture, std::vector<char> wrong);
+/// Of an alarm of pixels: how many have it, and how many of those are wrong.
+struct AlarmedPixels {
+    std::size_t pixels = 0;
+    std::size_t wrong = 0;
+};
+[[nodiscard]] AlarmedPixels alarmed_pixels(const RenderResult& picture,
+                                           const std::vector<char>& wrong, PixelAlarm alarm);
 /// `right`, `degraded`, `reported` or `silent`.
 [[nodiscard]] const char* grade_of(double wrong_share, bool alarmed);
 

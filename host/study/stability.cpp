@@ -77,11 +77,26 @@ Json counts_json(const Statistics& s) {
             {"host", {{"render_seconds", s.seconds.render}}}};
 }
 
+/// Of every alarm of pixels that counts any: how many, and how many of those are wrong.
+Json alarmed_json(const RenderResult& picture, const std::vector<char>& wrong) {
+    constexpr std::pair<PixelAlarm, const char*> of_pixels[] = {
+        {alarm_precision, "precision"},   {alarm_floored, "floored"},   {alarm_capped, "capped"},
+        {alarm_not_finite, "not_finite"}, {alarm_overflow, "overflow"},
+    };
+    Json json = Json::object();
+    for (const auto& [alarm, name] : of_pixels) {
+        const AlarmedPixels alarmed = alarmed_pixels(picture, wrong, alarm);
+        if (alarmed.pixels > 0) json[name] = {{"pixels", alarmed.pixels}, {"wrong", alarmed.wrong}};
+    }
+    return json;
+}
+
 Json compared(const RenderResult& picture, const RenderResult& reference) {
     const Deviation d = deviation_of(picture, reference);
     const std::vector<char> wrong = wrong_pixels(d, reference);
     Json json = {{"wrong_share", share_of(wrong)},
                  {"missed_share", missed_share(picture, wrong)},
+                 {"alarmed", alarmed_json(picture, wrong)},
                  {"worst_depth_pixels", d.worst_depth},
                  {"rmse", d.rmse},
                  {"grade", grade_of(share_of(wrong), any_alarm(picture))}};

@@ -127,6 +127,33 @@ PageTable grade_table(const Json& data) {
     return table;
 }
 
+/// How much an alarm is worth in one number type: of the pixels that have it, how many are wrong.
+struct AlarmWorth {
+    int cases = 0;
+    double pixels = 0;
+    double wrong = 0;
+};
+
+/// A row an alarm of pixels and number type. An alarm of which few pixels are wrong cries wolf.
+PageTable alarm_table(const Json& data) {
+    std::map<std::pair<std::string, std::string>, AlarmWorth> worths;
+    for (const Json& one : data["cases"]) {
+        if (!one.contains("alarmed")) continue;
+        for (const auto& [alarm, counts] : one["alarmed"].items()) {
+            AlarmWorth& worth = worths[{alarm, text(one, "numeric")}];
+            ++worth.cases;
+            worth.pixels += real(counts, "pixels");
+            worth.wrong += real(counts, "wrong");
+        }
+    }
+    PageTable table{{"alarm", "numbers", "cases", "pixels", "of them wrong", "share"}, {}};
+    for (const auto& [key, worth] : worths)
+        table.rows.push_back({key.first, key.second, fmt::format("{}", worth.cases),
+                              number_text(worth.pixels), number_text(worth.wrong),
+                              fmt::format("{:.1f} %", 100 * worth.wrong / worth.pixels)});
+    return table;
+}
+
 /// Wrong pixels over a family's parameter.
 std::string family_plot(const Json& data, const std::string& family) {
     LinePlot plot;
@@ -174,7 +201,7 @@ std::vector<TextFile> stability_tables(const Json& data) {
         row.push_back(alarms_text(one));
         table.rows.push_back(row);
     }
-    return {{"cases.csv", csv_of(table)}};
+    return {{"cases.csv", csv_of(table)}, {"alarms.csv", csv_of(alarm_table(data))}};
 }
 
 std::string stability_page(const Json& data, const std::string&) {
@@ -196,6 +223,8 @@ std::string stability_page(const Json& data, const std::string&) {
     for (const char* family : {"zoom", "contraction", "squash"})
         page.plot(family_plot(data, family));
     page.table(overview_table(data));
+    page.heading("What alarms are worth");
+    page.table(alarm_table(data));
     page.heading("Cases with alarms, restarts or wrong pixels");
     page.table(case_table(data));
     return page.html();

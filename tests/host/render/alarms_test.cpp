@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 
 #include "host/study/stability_cases.hpp"
 #include "tests/support/render_text.hpp"
@@ -85,6 +86,44 @@ TEST(Alarms, results_beyond_the_range_are_told_and_double_has_more_of_it) {
     }
     request.overrides.numeric = Numeric::twice;
     EXPECT_EQ(count_of(test::render_text(squashed, request), "overflow"), 0U);
+}
+
+/// The trough z = x^2: the matrices of its cells become nearly diagonal, and the rotation that
+/// makes them so turns by an angle whose cotangent has no square in float.
+const char* const trough =
+    "ifs trough { newmap matrix: 1/2,0,0, 0,1/2,0, 0,0,1/4, 0,0,0 "
+    "newmap matrix: 1/2,0,1/2, 0,1/2,0, 0,0,1/4, 1/2,0,1/4 "
+    "newmap matrix: 1/2,0,0, 0,1/2,0, 0,0,1/4, 0,1/2,0 "
+    "newmap matrix: 1/2,0,1/2, 0,1/2,0, 0,0,1/4, 1/2,1/2,1/4 } "
+    "camera { eye: 0.5,0.5,-5 look: 0.5,0.5,0 orthographic: 1.2 } ";
+
+/// A pine's branches: rotations and squashes, in whose cells such entries come up as rounding.
+const char* const branches =
+    "ifs b { newmap scale: 0.2,0.6,0.2 newmap rotate: x,40 scale: 0.5 translate: 0,0.4,0 "
+    "newmap rotate: x,40 rotate: y,120 scale: 0.5 translate: 0,0.4,0 "
+    "newmap rotate: x,40 rotate: y,-120 scale: 0.5 translate: 0,0.4,0 } ";
+
+TEST(Alarms, what_cannot_reach_the_picture_raises_none) {
+    for (const char* scene : {trough, branches}) {
+        for (const Numeric numeric : {Numeric::dsp32, Numeric::single}) {
+            RenderRequest request;
+            request.overrides.size = PixelSize{20, 16};
+            request.overrides.numeric = numeric;
+            request.overrides.intersect = IntersectMethod::heap;
+            request.overrides.volume = VolumeKind::box;
+            EXPECT_EQ(count_of(test::render_text(scene, request), "overflow"), 0U) << scene;
+        }
+    }
+}
+
+TEST(Alarms, what_a_thread_computed_before_is_no_alarm_of_its_first_pixel) {
+#pragma omp parallel num_threads(2)
+    std::feraiseexcept(FE_OVERFLOW | FE_DIVBYZERO);
+    RenderRequest request;
+    request.overrides.size = PixelSize{16, 16};
+    request.overrides.numeric = Numeric::twice;
+    request.threads = 2;
+    EXPECT_EQ(count_of(test::render_text(test::tetra_text, request), "overflow"), 0U);
 }
 
 TEST(Alarms, steep_maps_are_told_in_single_precision) {

@@ -97,5 +97,16 @@ TEST(Grade, a_pixel_whose_reference_was_given_up_is_wrong) {
     EXPECT_NEAR(share_of(wrong_pixels(same, reference)), 1.0 / 3, 1e-12);
 }
 
+TEST(Grade, an_alarm_is_worth_the_wrong_pixels_that_have_it) {
+    RenderResult picture = picture_of(4);
+    picture.frame.pixels[0].alarms = alarm_overflow;
+    picture.frame.pixels[1].alarms = alarm_overflow | alarm_precision;
+    const std::vector<char> wrong{0, 1, 1, 0};
+    EXPECT_EQ(alarmed_pixels(picture, wrong, alarm_overflow).pixels, 2U);
+    EXPECT_EQ(alarmed_pixels(picture, wrong, alarm_overflow).wrong, 1U);
+    EXPECT_EQ(alarmed_pixels(picture, wrong, alarm_precision).pixels, 1U);
+    EXPECT_EQ(alarmed_pixels(picture, wrong, alarm_floored).pixels, 0U);
+}
+
 }  // namespace
 }  // namespace pxm::host
