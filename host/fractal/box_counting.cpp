@@ -133,7 +133,7 @@ Plan plan_for(const ZoomSystem& system, const std::vector<double>& sides) {
 void measure(const ZoomSystem& system, double size, BoxCounting& result) {
     const std::vector<double> sides = sides_for(size);
     Plan plan = plan_for(system, sides);
-    result.method = "not measured: there are too many cells to look at";
+    result.method = "not measured: more cells than the limit allows to look at";
     if (plan.places == 0) return;
     Counts counts;
     for (std::size_t p = 0; p < populations; ++p) {

@@ -96,6 +96,9 @@ bool Zoom::gather(double side, double largest, long& visits) {
             continue;
         }
         const std::vector<int>& maps = system_->rifs.follow_sets[cell.set].maps;
+        left -= static_cast<long>(maps.size());  // a cell of many maps must not fill the memory
+        visits += static_cast<long>(maps.size());
+        if (left < 0) return false;
         for (std::size_t i = 0; i < maps.size(); ++i) {
             open.push_back(child(cell, maps[i], system_->choice[cell.set][i]));
         }

@@ -59,7 +59,7 @@ TEST(BoxCounting, none_is_printed_where_there_are_too_many_cells) {
     for (int i = 0; i < 12; ++i) offsets.push_back({0.1 * std::cos(i), 0.1 * std::sin(i), 0});
     const BoxCounting found = boxes_of(complete(homotheties(0.9, offsets)));
     EXPECT_FALSE(found.dimension);
-    EXPECT_EQ(found.method, "not measured: there are too many cells to look at");
+    EXPECT_EQ(found.method, "not measured: more cells than the limit allows to look at");
 }
 
 }  // namespace
