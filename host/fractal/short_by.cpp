@@ -23,9 +23,9 @@ constexpr double share = 1e-3;               // of what sticks out: told this ex
 /// Reaches of one set, and which of their differences are rounding.
 class Excess {
   public:
-    Excess(const Rifs& rifs, const std::vector<Bounds>& bounds, int set)
-        : rifs_(rifs), set_(set), known_(approximation(rifs, bounds)) {
-        const Bounds& own = bounds[static_cast<std::size_t>(set)];
+    /// `known` must outlive it.
+    Excess(const Rifs& rifs, const Approximation& known, const Bounds& own, int set)
+        : rifs_(rifs), set_(set), known_(known) {
         const glm::dvec3 farthest = glm::max(glm::abs(own.box.low), glm::abs(own.box.high));
         rounding_ = margin * own.ball.radius +
                     coordinate_margin * std::max({farthest.x, farthest.y, farthest.z});
@@ -106,17 +106,35 @@ class Excess {
 
     const Rifs& rifs_;
     int set_;
-    Approximation known_;
+    const Approximation& known_;
     double rounding_;
 };
 
 }  // namespace
 
-double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
-                const DeclaredVolume& volume) {
-    const Excess excess(rifs, bounds, set);
+namespace {
+
+double short_by(const Excess& excess, const DeclaredVolume& volume) {
     const double over = std::visit([&](const auto& v) { return excess.over(v); }, volume);
     return over <= excess.rounding() ? std::min(over, 0.0) : over;
+}
+
+}  // namespace
+
+double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
+                const DeclaredVolume& volume) {
+    const Approximation known = approximation(rifs, bounds);
+    return short_by(Excess(rifs, known, bounds[static_cast<std::size_t>(set)], set), volume);
+}
+
+std::vector<double> short_by(const Rifs& rifs, const std::vector<Bounds>& bounds,
+                             const DeclaredVolume& volume) {
+    const Approximation known = approximation(rifs, bounds);
+    std::vector<double> by;
+    for (std::size_t set = 0; set < bounds.size(); ++set) {
+        by.push_back(short_by(Excess(rifs, known, bounds[set], static_cast<int>(set)), volume));
+    }
+    return by;
 }
 
 }  // namespace pxm::host

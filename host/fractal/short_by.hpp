@@ -1,6 +1,8 @@
 // Whether a declared bounding volume contains the attractor, and if not, what sticks out of it.
 #pragma once
 
+#include <vector>
+
 #include "host/fractal/bounds.hpp"
 #include "host/scene/scene.hpp"
 
@@ -12,5 +14,9 @@ namespace pxm::host {
 /// from bound().
 [[nodiscard]] double short_by(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
                               const DeclaredVolume& volume);
+
+/// The same for every follow set.
+[[nodiscard]] std::vector<double> short_by(const Rifs& rifs, const std::vector<Bounds>& bounds,
+                                           const DeclaredVolume& volume);
 
 }  // namespace pxm::host

@@ -85,13 +85,17 @@ class Choice {
         return best;
     }
 
-    /// A declared volume, and in sets that it is not for what suits it.
-    Volumes with_declared(const CompiledVolume& declared) {
+    /// A declared volume, and in sets that stick out of it what suits it. `short_by` of each set.
+    Volumes with_declared(const CompiledVolume& declared, const std::vector<double>& short_by) {
+        Volumes volumes(bounds_.size(), declared);
+        const auto sticks_out = [](double by) { return by > 0; };
+        if (std::ranges::none_of(short_by, sticks_out)) return volumes;
         const bool simple =
             declared.kind == kernels::Volume::sphere || declared.kind == kernels::Volume::box;
-        Volumes volumes{declared};
-        if (bounds_.size() > 1) volumes = simple ? of_kind(declared.kind) : cheapest();
-        volumes[start_] = declared;
+        const Volumes computed = simple ? of_kind(declared.kind) : cheapest();
+        for (std::size_t set = 0; set < bounds_.size(); ++set) {
+            if (sticks_out(short_by[set])) volumes[set] = computed[set];
+        }
         return volumes;
     }
 
@@ -123,6 +127,22 @@ const char* name_of(const DeclaredVolume& volume) {
     return names[volume.index()];
 }
 
+/// Says inside which map a declared volume does not hold, if inside any.
+void warn_of_levels(const ObjectBlock& object, const Rifs& rifs,
+                    const std::vector<double>& short_by, Diagnostics& diagnostics) {
+    for (std::size_t map = 0; map < rifs.maps.size(); ++map) {
+        const double by = short_by[static_cast<std::size_t>(rifs.follow_of[map])];
+        if (!(by > 0)) continue;
+        diagnostics.warning(
+            object.volume_position,
+            fmt::format("the {} of object \"{}\" does not contain what may stand inside {} (short "
+                        "by {:.3g}): a computed volume is used there",
+                        name_of(*object.volume), object.name,
+                        spoken_name(rifs, static_cast<int>(map)), by));
+        return;
+    }
+}
+
 /// The volumes that a scene declares if they can be used; else nothing, with a warning that says
 /// why.
 std::optional<Volumes> declared_volumes(const ObjectBlock& object, const Rifs& rifs,
@@ -130,7 +150,8 @@ std::optional<Volumes> declared_volumes(const ObjectBlock& object, const Rifs& r
                                         Diagnostics& diagnostics) {
     const DeclaredVolume& declared = *object.volume;
     const char* name = name_of(declared);
-    const double by = short_by(rifs, bounds, rifs.start, declared);
+    const std::vector<double> short_by = host::short_by(rifs, bounds, declared);
+    const double by = short_by[static_cast<std::size_t>(rifs.start)];
     if (by > 0) {
         diagnostics.warning(
             object.volume_position,
@@ -139,9 +160,12 @@ std::optional<Volumes> declared_volumes(const ObjectBlock& object, const Rifs& r
                         name, object.name, by));
         return std::nullopt;
     }
-    Volumes volumes = choice.with_declared(primitive_volume(declared));
+    Volumes volumes = choice.with_declared(primitive_volume(declared), short_by);
     const double cost = choice.cost(volumes);
-    if (cost < hopeless || cost < much_dearer * choice.cost(choice.cheapest())) return volumes;
+    if (cost < hopeless || cost < much_dearer * choice.cost(choice.cheapest())) {
+        warn_of_levels(object, rifs, short_by, diagnostics);
+        return volumes;
+    }
     diagnostics.warning(
         object.volume_position,
         fmt::format("the {} of object \"{}\" is so loose that a ray would meet thousands of "

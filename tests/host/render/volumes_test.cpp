@@ -15,6 +15,7 @@
 #include "tests/support/compile_text.hpp"
 #include "tests/support/crossing.hpp"
 #include "tests/support/example_scenes.hpp"
+#include "tests/support/render_text.hpp"
 
 namespace pxm::test {
 namespace {
@@ -179,6 +180,61 @@ TEST(Volumes, that_are_objects_are_what_they_are) {
         EXPECT_EQ(scene.shapes[i].sets[0].volume.kind, kinds[i]);
         EXPECT_TRUE(scene.shapes[i].maps.empty());
         EXPECT_EQ(scene.objects[i].levels, 0U);
+    }
+}
+
+/// What may follow any map of the case has the same attractor as the whole.
+constexpr const char* two_sets = R"(
+rifs s {
+    newmap a scale: 1/4
+    newmap b scale: 1/4 translate: 1/2,0,0
+    newmap c scale: 1/4
+    newmap d scale: 1/4 translate: 1/2,0,0
+    follow: a -> c,d  follow: b -> c,d  follow: c -> a,b  follow: d -> a,b
+    start: a,b
+}
+)";
+constexpr const char* one_set =
+    "ifs s { newmap scale: 1/4  newmap scale: 1/4 translate: 1/2,0,0 }\n";
+constexpr const char* seen_from_the_front =
+    "camera c { eye: 0,0,-5  look: 0,0,0  orthographic: 2.4 } image { size: 30,30 }\n";
+
+TEST(Volumes, declared_for_a_recurrent_system_stand_on_all_its_levels) {
+    for (const char* declared : {"box", "sphere: (0,0,0) 1", "cylinder", "cone scale: 3"}) {
+        const std::string object =
+            std::string("object o { ifs: s  levels: 1 ") + declared + " }" + seen_from_the_front;
+        const EngineResult graph = render_natively(compile_text(two_sets + object), Numeric::twice);
+        const EngineResult plain = render_natively(compile_text(one_set + object), Numeric::twice);
+        EXPECT_GT(plain.rays.hits, 20U) << declared;
+        EXPECT_TRUE(same_picture(graph.frame, plain.frame)) << declared;
+    }
+}
+
+/// Translucent cells show on every level.
+TEST(Volumes, declared_for_a_recurrent_system_stand_for_translucent_cells_too) {
+    const std::string object =
+        std::string("object o { ifs: s  levels: 2  box  opacity: 0.4 }") + seen_from_the_front;
+    EXPECT_TRUE(
+        same_picture(render_natively(compile_text(two_sets + object), Numeric::twice).frame,
+                     render_natively(compile_text(one_set + object), Numeric::twice).frame));
+}
+
+TEST(Volumes, that_hold_for_some_maps_only_are_computed_inside_the_others) {
+    const std::string text =
+        "rifs s { newmap a scale: 1/4  newmap c scale: 1/4 translate: 3,0,0\n"
+        "follow: a -> a,c  follow: c -> c  start: a }\n"
+        "object o { ifs: s  sphere: (0,0,0) 1.5 }";
+    EXPECT_EQ(warnings_of(text),
+              "s.pxm:3:20: warning: the sphere of object \"o\" does not contain what may stand "
+              "inside map \"a\" (short by 2.5): a computed volume is used there\n"
+              "    object o { ifs: s  sphere: (0,0,0) 1.5 }\n"
+              "                       ^");
+    const CompiledScene scene = compile_text(text);
+    const std::vector<CompiledSet>& sets = scene.shapes[0].sets;
+    for (std::size_t set = 0; set < sets.size(); ++set) {
+        const bool start = static_cast<int>(set) == scene.shapes[0].start;
+        EXPECT_EQ(sets[set].volume == sets[static_cast<std::size_t>(scene.shapes[0].start)].volume,
+                  start);
     }
 }
 
