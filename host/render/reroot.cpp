@@ -20,7 +20,8 @@ constexpr double nearest_share = 0.125;  // a cell that keeps that distance is n
 constexpr double eye_share = 0x1p-20;    // of the look distance: nothing smaller is replaced
 constexpr double touching = 1e-6;
 constexpr std::size_t most_replaced = 4000;
-constexpr int most_looked_at = 4000;  // cells, to find out whether an object is near
+constexpr std::size_t most_objects = 100'000;  // of a scene: then nothing more is replaced
+constexpr int most_looked_at = 4000;           // cells, to find out whether an object is near
 
 /// What is near: where a pixel is too small for a cell of some size.
 struct Nearness {
@@ -152,7 +153,8 @@ class Rerooting {
         const double radius = reach.radius();
         const bool last = cell.word.size() == object_.levels;
         if (last || distance >= nearness_.kept * 2 * radius || 2 * radius < nearness_.smallest ||
-            replaced_.size() >= most_replaced) {
+            replaced_.size() >= most_replaced ||
+            scene_.objects.size() + set.maps.size() > most_objects) {
             keep(cell);
             nearest_ = std::min(nearest_, std::max(distance, nearness_.kept * 2 * radius));
             return;

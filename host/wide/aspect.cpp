@@ -12,7 +12,10 @@ namespace {
 
 // Of objects with lists: those that are turned otherwise have lists of their own.
 constexpr std::size_t most_turns = 8;
-constexpr double least_pace = 0.7;  // of a part's rays along its axis: few pixels, seen wide
+// Of lists: what there is of them for one view takes up to 30 MB.
+constexpr std::size_t most_listed = std::size_t{1} << 16;
+constexpr std::size_t most_lights = 6;  // further ones have no lists
+constexpr double least_pace = 0.7;      // of a part's rays along its axis: few pixels, seen wide
 
 }  // namespace
 
@@ -77,7 +80,7 @@ long aspect_side(const CompiledCamera& camera, const PixelSize& size) {
                               camera.across * (static_cast<double>(size.columns) / 2) +
                               camera.down * (static_cast<double>(size.rows) / 2);
     const double pixels = widest * glm::length(middle) / glm::length(camera.across);
-    if (pixels >= static_cast<double>(whole)) return whole;
+    if (!(pixels < static_cast<double>(whole))) return whole;
     return std::max(least, static_cast<long>(pixels) / tile_side * tile_side);
 }
 
@@ -118,15 +121,18 @@ Aspect& aspect_of_light(const WideScene& scene, std::size_t light, Aspect& aspec
 
 Aspect& aspect_of(const WideScene& scene, const RayBundle& bundle, std::vector<Aspect>& aspects) {
     const AspectOf& of = bundle.aspect;
+    const bool has_lists = scene.turns.size() <= most_turns &&
+                           scene.turns.size() * scene.composed_cells <= most_listed;
+    const std::size_t lights = has_lists ? std::min(scene.lights.size(), most_lights) : 0;
     if (aspects.empty()) {
-        aspects = std::vector<Aspect>(2 + scene.lights.size());
+        aspects = std::vector<Aspect>(has_lists ? 2 + lights : 1);
         for (Aspect& aspect : aspects) {
             aspect.tables.resize(scene.turns.size() * scene.sets.size() *
                                  HomothetyTable::most_steps);
         }
     }
-    if (scene.turns.size() <= most_turns) {
-        if (of.kind == AspectOf::Kind::light) {
+    if (has_lists) {
+        if (of.kind == AspectOf::Kind::light && of.column < static_cast<long>(lights)) {
             const auto light = static_cast<std::size_t>(of.column);
             return aspect_of_light(scene, light, aspects[2 + light]);
         }

@@ -89,7 +89,8 @@ inline void search_tile(const WideScene& scene, BeamWorkspace& work) {
         } else {
             open_beam_cell(scene, work, index);
         }
-        if (scene.cell_cap <= work.tested) work.given_up = true;
+        const bool is_full = work.covered.size() >= most_covered;
+        if (scene.cell_cap <= work.tested || is_full) work.given_up = true;
         if (work.given_up) return;
     }
 }

@@ -8,7 +8,8 @@
 //   beam_levels.inl  cells go down to the small ones, children in lanes
 //   beam_covers.inl  what a small cell gets of the places, nearest first
 //   beam_sight.inl   what is seen of a cell, the levels of its path in lanes
-// A workspace is one thread's; its memory does not grow with the picture.
+// A workspace is one thread's; its memory does not grow with the picture. It has as many cells as a
+// ray may test at most, and no more than most_covered places; then the tile is given up.
 #pragma once
 
 #include <array>
@@ -23,6 +24,8 @@ namespace pxm::host::wide {
 
 inline constexpr int most_places = static_cast<int>(kernels::most_places);
 inline constexpr int most_sights = static_cast<int>(kernels::SightList<double>::capacity);
+
+inline constexpr std::size_t most_covered = std::size_t{1} << 22;
 
 /// The rectangle around a cell in the picture.
 struct Outline {

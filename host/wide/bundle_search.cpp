@@ -73,6 +73,20 @@ inline void take_cell(const WideScene& scene, Workspace& work, double near, int 
     }
 }
 
+/// Whether a tile's cells are too many for its tables: they are far smaller than its pixels.
+inline bool has_too_many_cells(const Workspace& work) {
+    return work.cells.size() + work.fixed_cells.size() > most_shared_cells || work.arena.is_full();
+}
+
+/// Leaves the rays that may find something at `near` or beyond to the clear kernels.
+inline void give_up_from(Workspace& work, double near) {
+    begin_looking(work);
+    for (std::uint64_t rest = work.bundle.inside; rest != 0; rest &= rest - 1) {
+        const auto ray = static_cast<std::size_t>(std::countr_zero(rest));
+        if (near < work.best[ray]) work.found[ray].given_up = true;
+    }
+}
+
 void search(const WideScene& scene, Workspace& work) {
     for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
         if (scene.objects[static_cast<std::size_t>(i)].fixed_direction) {
@@ -88,6 +102,7 @@ void search(const WideScene& scene, Workspace& work) {
             work.improved = false;
         }
         if (work.farthest <= near) return;
+        if (has_too_many_cells(work)) return give_up_from(work, near);
         std::pop_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
         work.queue.pop_back();
         take_cell(scene, work, near, index);

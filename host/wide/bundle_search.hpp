@@ -3,7 +3,9 @@
 //                          first, in double
 //   start_cell.inl     the bundle's rays, in lanes, against a start cell, in float
 //   single_ray.inl     each ray that meets it alone, with a cell's children in lanes
-// A workspace is one thread's; its memory does not grow with the picture.
+// A workspace is one thread's; its memory does not grow with the picture, and cells that are too
+// small for the pixels of a tile do not fill it: beyond most_shared_cells, or a full arena, the
+// rays that have not found anything yet are left to the clear kernels.
 #pragma once
 
 #include <algorithm>
@@ -19,6 +21,8 @@
 #include "host/wide/wide_scene.hpp"
 
 namespace pxm::host::wide {
+
+inline constexpr std::size_t most_shared_cells = std::size_t{1} << 17;  // of a bundle
 
 /// A cell that the bundle's rays share, as seen from the bundle. A point of a ray at depth z is
 /// o + (z - base) W + u U + v V in the cell's unit coordinates; o is near the volume's centre.
@@ -138,7 +142,7 @@ struct Found {
     std::array<std::uint16_t, most_below> below;
 };
 
-/// Floats and ints that live until the bundle is done.
+/// Floats and ints that live until the bundle is done: 128 MiB until it is full, and a cell more.
 class Arena {
   public:
     void clear() {
@@ -148,9 +152,11 @@ class Arena {
     /// Room for so many floats, a multiple of table_step.
     [[nodiscard]] float* floats(std::size_t count);
     [[nodiscard]] int* ints(std::size_t count) { return reinterpret_cast<int*>(floats(count)); }
+    [[nodiscard]] bool is_full() const { return chunk_ >= most_chunks; }
 
   private:
     static constexpr std::size_t chunk_floats = std::size_t{1} << 18;
+    static constexpr std::size_t most_chunks = 128;
     std::vector<hwy::AlignedFreeUniquePtr<float[]>> chunks_;
     std::size_t chunk_ = 0;
     std::size_t used_ = 0;

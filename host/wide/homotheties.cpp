@@ -14,6 +14,10 @@ namespace {
 
 constexpr double rounding = 1e-6;
 constexpr double largest_ratio = 0.9;  // a start cell's paths are at most Found::most_below long
+// Systems with very many follow sets have tables of several levels for some of them only.
+constexpr std::size_t most_composed = std::size_t{1} << 18;
+// Each way of being turned may have a table of each set.
+constexpr std::size_t most_turned_sets = std::size_t{1} << 16;
 
 bool is_homothety(const Affine& map) {
     const double ratio = map.linear[0][0];
@@ -150,12 +154,14 @@ void tabulate(WideScene& scene, int index) {
     set.children = table_of(cells, 1, 0);
     double least = std::numeric_limits<double>::infinity();  // diameter of those stepped over
     for (int steps = 2; steps <= HomothetyTable::most_steps && !cells.empty(); ++steps) {
+        if (scene.composed_cells > most_composed) break;
         least = std::min(least, std::ranges::min(cells, {}, &Step::diameter).diameter);
         cells = one_step_on(scene, cells, steps - 1, most);
         double across = 0;  // of all cells, to their parent's
         for (const Step& cell : cells) across += cell.scale * cell.scale;
         if (set.spheres && cells.size() > table_step && across > most_across) break;
         if (!cells.empty()) set.composed.push_back(table_of(cells, steps, least));
+        scene.composed_cells += cells.size();
     }
 }
 
@@ -174,9 +180,11 @@ std::vector<glm::dvec3> hull_points(const WideScene& scene, const WideObject& ob
     return points;
 }
 
-/// Numbers the ways in which objects with balls are turned.
+/// Numbers the ways in which objects with balls are turned. Where there are too many, what is
+/// turned otherwise is no object of homotheties any more.
 void find_turns(WideScene& scene) {
     constexpr double alike = 1e-9;
+    const std::size_t most = std::max<std::size_t>(1, most_turned_sets / std::max<std::size_t>(1, scene.sets.size()));
     for (WideObject& object : scene.objects) {
         const bool alone = scene.sets[static_cast<std::size_t>(object.set)].count == 0;
         if (!object.fixed_direction || !object.spheres || alone) continue;
@@ -189,6 +197,10 @@ void find_turns(WideScene& scene) {
                    glm::length(turn[1] - other[1]) < alike &&
                    glm::length(turn[2] - other[2]) < alike;
         });
+        if (same == scene.turns.end() && scene.turns.size() == most) {
+            object.fixed_direction = false;
+            continue;
+        }
         object.turn = static_cast<int>(same - scene.turns.begin());
         if (same == scene.turns.end()) scene.turns.push_back(turn);
     }

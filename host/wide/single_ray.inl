@@ -248,7 +248,7 @@ inline bool follow_ray(const WideScene& scene, Workspace& work, RayInStart& ray,
             --depth;
             continue;
         }
-        if (found.tested >= scene.cell_cap) {
+        if (found.tested >= scene.cell_cap || work.arena.is_full()) {
             found.given_up = true;
             return improved;
         }

@@ -97,7 +97,7 @@ struct WideSet {
     LaneTable<double> beams;               // empty unless there are local covers by area
     double coverage = 1;                   // of its volume, by its attractor, on average
     HomothetyTable children;               // empty unless the object is `fixed_direction`
-    std::vector<HomothetyTable> composed;  // of two steps, three and so on
+    std::vector<HomothetyTable> composed;  // of two steps, three and so on; not of all sets
     ChildGrid grid;                        // of `children`, if they are boxes in slices
 };
 
@@ -141,6 +141,7 @@ struct WideScene {
     /// How objects of homotheties with balls are turned: from scene to unit coordinates, lengths
     /// left.
     std::vector<glm::dmat3> turns;
+    std::size_t composed_cells = 0;  // in the sets' `composed` tables
     std::vector<CompiledEnclosure> enclosures;
     CompiledCamera camera;
     PixelSize size;        // of the whole picture
