@@ -40,23 +40,28 @@ class Beam {
         for (std::uint32_t i = 0; i < count_; ++i) left_[i] = Real(1);
     }
 
-    /// Finds what shows. The heap is left in an unspecified state, but says whether it overflowed.
+    /// Finds what shows. The heap is left in an unspecified state.
     void look(Heap<Node>& heap, SearchCounts& counts, SightList<Real>& seen) noexcept {
         node_.tally(Operation::call, 1);
-        const std::uint64_t most_volumes = counts.volumes_tested + search_.cell_cap;
+        const std::uint64_t most_volumes =
+            counts.volumes_tested + search_.cell_cap / searches_a_cap;
         heap.clear();
         push_outermost(heap, counts);
         Cell<Real> cell;
         while (!heap.empty() && open_ != 0) {
             node_.tally(Operation::loop_turn, 1);
             node_.tally(Operation::integer, 3);
+            node_.tally(Operation::compare_branch, 1);
+            if (counts.volumes_tested >= most_volumes) {
+                is_complete_ = false;
+                return;
+            }
             heap.pop(cell);
             const Vec3<Real> center = center_in_beam(node_, cell);
             const std::uint32_t asked = places_behind(cell, center) & open_;
             if (asked == 0) continue;
             const Ending end = ending(node_, search_, cell);
-            const bool capped = end == Ending::word_full || counts.volumes_tested >= most_volumes;
-            if (capped) {
+            if (end == Ending::word_full) {
                 ++counts.capped;
                 show(cell, open_, Real(1), seen);
                 return;
@@ -67,8 +72,12 @@ class Beam {
             }
             push_inner(cell, heap, counts);
         }
+        is_complete_ = !heap.overflowed();
     }
 
+    /// Whether look() has seen all places. A heap may have been too small, or cells too many, as
+    /// long thin ones are; then open places are left to rays, which meet fewer of them.
+    [[nodiscard]] bool is_complete() const noexcept { return is_complete_; }
     [[nodiscard]] std::uint32_t places() const noexcept { return count_; }
     /// A place's part of the pixel.
     [[nodiscard]] Real share_of_place() const noexcept { return share_; }
@@ -272,6 +281,8 @@ class Beam {
     }
 
     static constexpr Real least_part = from_double<Real>(1.0 / 64);  // of a place
+    // What one search for all places may cost, as a share of the cap on cells of a ray.
+    static constexpr std::uint32_t searches_a_cap = 128;
 
     Node& node_;
     const Search<Real>& search_;
@@ -283,6 +294,7 @@ class Beam {
     Real per_pixel_;       // count_ as a number
     Real share_;           // 1 / count_
     std::uint32_t open_;   // places that something behind may show at
+    bool is_complete_ = true;
     Real left_[most_places];
 };
 

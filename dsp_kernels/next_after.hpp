@@ -1,8 +1,8 @@
 // The search that needs no heap: a depth-first descent in word order that finds the smallest cell
 // that shows and is not before a given cell D. It finishes the rays whose heap overflowed;
 // everything before D was searched by then. Only the word of the path is kept, and in the heap's
-// slots the cells on it; where the path is longer than the heap, cells are made again from the
-// word. Node code: no allocation, no exceptions.
+// slots cells on it; where the path is longer than the heap, cells are made again from the word.
+// Node code: no allocation, no exceptions.
 #pragma once
 
 #include "dsp_kernels/descend.hpp"
@@ -25,21 +25,28 @@ struct SolidRule {
     }
 };
 
-/// The path of cells from an object's outermost cell down to the one being looked at: the first
-/// ones in the heap's slots, beyond those only the last one.
+/// The path of cells from an object's outermost cell down to the one being looked at, in the heap's
+/// slots: the first quarter of them holds the first levels, the others the last ones, in turn. What
+/// lies between is made again from the word when the path comes back to it, as many levels at once
+/// as there are slots: a path may be a hundred times as long as the heap.
 template <NodeLike Node>
 class CellPath {
   public:
     using Real = typename Node::Real;
 
     CellPath(Node& node, const Search<Real>& search, Heap<Node>& heap) noexcept
-        : node_(node), search_(search), heap_(heap) {}
+        : node_(node),
+          search_(search),
+          heap_(heap),
+          first_(heap.capacity() / 4),
+          recent_(heap.capacity() - first_) {}
 
     /// The cell at the end of the path.
     [[nodiscard]] Cell<Real>& last() noexcept { return last_; }
 
     /// Starts at an object; false if the ray does not meet it.
     [[nodiscard]] bool start(std::uint32_t object) noexcept {
+        lowest_ = first_;
         outermost_cell(node_, search_, object, last_);
         return meet(node_, search_, last_, search_.start, search_.end);
     }
@@ -51,7 +58,7 @@ class CellPath {
         child_cell(node_, search_, last_, map, child);
         if (!meet(node_, search_, child, last_.key, last_.exit)) return false;
         if (is_polar(node_, last_.object)) complete_child(node_, last_, map, child);
-        if (last_.level < heap_.capacity()) heap_.keep(last_.level, last_);
+        keep_last();
         move_cell(node_, last_, child);
         return true;
     }
@@ -61,8 +68,8 @@ class CellPath {
         node_.tally(Operation::integer, 4);
         const std::uint32_t level = last_.level - 1U;
         const std::uint32_t symbol = last_.word.get(level, last_.bits);
-        if (level < heap_.capacity()) {
-            heap_.fetch(level, last_);
+        if (level < first_ || lowest_ <= level) {
+            heap_.fetch(slot_of(level), last_);
         } else {
             make_again(level);
         }
@@ -70,28 +77,43 @@ class CellPath {
     }
 
   private:
+    [[nodiscard]] std::uint32_t slot_of(std::uint32_t level) const noexcept {
+        return level < first_ ? level : first_ + (level - first_) % recent_;
+    }
+    void keep_last() noexcept {
+        const std::uint32_t level = last_.level;
+        heap_.keep(slot_of(level), last_);
+        if (level < first_) return;
+        if (level < lowest_) lowest_ = level;
+        if (level - lowest_ == recent_) ++lowest_;  // it was in the same slot
+    }
+
     /// Walks down again to `level` along the word of the last cell. The same steps give the same
     /// cells.
     void make_again(std::uint32_t level) noexcept {
         Cell<Real> longer;
         move_cell(node_, longer, last_);
-        heap_.fetch(heap_.capacity() - 1, last_);
+        lowest_ = first_;
+        if (first_ == 0) {
+            (void)start(longer.object);
+        } else {
+            heap_.fetch(first_ - 1, last_);
+        }
         while (last_.level < level) {
             node_.tally(Operation::loop_turn, 1);
             node_.tally(Operation::integer, 3);
             const std::uint32_t symbol = longer.word.get(last_.level, longer.bits);
-            Cell<Real> child;
             const std::uint32_t map = map_from(node_, last_.follow_set, symbol);
-            child_cell(node_, search_, last_, map, child);
-            (void)meet(node_, search_, child, last_.key, last_.exit);
-            if (is_polar(node_, last_.object)) complete_child(node_, last_, map, child);
-            move_cell(node_, last_, child);
+            (void)down(map);
         }
     }
 
     Node& node_;
     const Search<Real>& search_;
     Heap<Node>& heap_;
+    std::uint32_t first_;       // levels that stay in their slots
+    std::uint32_t recent_;      // slots for the last levels
+    std::uint32_t lowest_ = 0;  // of the levels from first_ on, those from here on are kept
     Cell<Real> last_;
 };
 

@@ -89,7 +89,7 @@ class Tracer {
         Beam<Node> beam(node_, ray.search);
         sights_.size = 0;
         beam.look(heap_, result_.counts, sights_);
-        const bool complete = !heap_.overflowed();
+        const bool complete = beam.is_complete();
         count_heap(heap_, result_.counts);
         const Real whole = ray.share;
         ray.share = complete ? whole * beam.left() : Real(0);
@@ -105,7 +105,7 @@ class Tracer {
         if (!complete) look_one_by_one(ray, beam, whole);
     }
 
-    /// What the heap had no room for: places that are open still, each by a ray of its own.
+    /// What one search did not come to: places that are open still, each by a ray of its own.
     void look_one_by_one(PendingRay<Real>& ray, Beam<Node>& beam, Real whole) noexcept {
         ++result_.counts.restarts;
         for (std::uint32_t i = 0; i < beam.places(); ++i) {
