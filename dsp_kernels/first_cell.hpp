@@ -12,8 +12,10 @@ namespace pxm::kernels {
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] SearchResult<Real> first_cell(Node& node, const Search<Real>& search,
                                             Heap<Node>& heap, SearchCounts& counts) noexcept {
-    // Not counted: only one of the two is linked into a node's program.
-    if (search.method == Method::fast) return intersect_fast(node, search, heap, counts);
+    // Not counted: only one of the two is linked into a node's program. Cells are known in the
+    // order of Alg. 12.4 alone.
+    if (search.method == Method::fast && !knows_cells(node))
+        return intersect_fast(node, search, heap, counts);
     return intersect(node, search, heap, counts);
 }
 

@@ -6,6 +6,7 @@
 
 #include "dsp_kernels/descend.hpp"
 #include "dsp_kernels/heap.hpp"
+#include "dsp_kernels/known.hpp"
 #include "dsp_kernels/next_after.hpp"
 #include "dsp_kernels/search_result.hpp"
 #include "dsp_kernels/watch.hpp"
@@ -70,6 +71,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     SearchResult<Real> result;
     const std::uint64_t most_volumes = counts.volumes_tested + search.cell_cap;
     heap.clear();
+    forget_known(node);
     push_objects(node, search, heap, counts);
     while (!heap.empty()) {
         node.tally(Operation::loop_turn, 1);
@@ -80,6 +82,10 @@ template <NodeLike Node, class Real = typename Node::Real>
         if (end == Ending::terminal || capped) {
             result.outcome = end == Ending::terminal ? Outcome::hit : Outcome::capped;
             break;
+        }
+        if (is_known(node, search, result.cell)) {
+            watch(node, CellEvent::known, result.cell);
+            continue;
         }
         watch(node, CellEvent::expanded, result.cell);
         push_children(node, search, result.cell, heap, counts);

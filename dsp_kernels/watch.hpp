@@ -7,7 +7,7 @@
 namespace pxm::kernels {
 
 /// What happened to a cell.
-enum class CellEvent { met, missed, expanded, terminal, capped, dropped, restarted };
+enum class CellEvent { met, missed, expanded, known, terminal, capped, dropped, restarted };
 
 /// What a ray is for.
 enum class RayKind { eye, mirror, light };

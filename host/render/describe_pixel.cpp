@@ -4,10 +4,10 @@
 
 #include <vector>
 
+#include "host/render/crowded.hpp"
 #include "host/render/engine.hpp"
 #include "host/render/gather.hpp"
 #include "host/render/instances.hpp"
-#include "host/render/native_node.hpp"
 
 namespace pxm::host {
 
@@ -31,18 +31,27 @@ class WatchedNode : public NativeNode<Real_> {
         kernels::Search<Real> search;
     };
     void watch(kernels::CellEvent event, const kernels::Cell<Real>& cell) {
+        if (events_.size() == most_events) {
+            ++left_out_;
+            return;
+        }
         events_.emplace_back();
         events_.back().event = event;
         kernels::copy_cell(events_.back().cell, cell);
         events_.back().ray = rays_.size() - 1;
     }
     void watch_ray(kernels::RayKind kind, const kernels::Search<Real>& search) {
-        rays_.push_back({kind, search});
+        if (events_.size() < most_events) rays_.push_back({kind, search});
     }
+    /// Events after the first most_events, which are not kept.
+    [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
     [[nodiscard]] const std::vector<Event>& events() const { return events_; }
     [[nodiscard]] const std::vector<WatchedRay>& rays() const { return rays_; }
 
   private:
+    static constexpr std::size_t most_events = 100'000;
+
+    std::uint64_t left_out_ = 0;
     std::vector<WatchedRay> rays_;
     std::vector<Event> events_;
 };
@@ -56,6 +65,8 @@ const char* name_of(kernels::CellEvent event) {
             return "misses";
         case expanded:
             return "opens";
+        case known:
+            return "knows";
         case terminal:
             return "shows";
         case capped:
@@ -93,7 +104,8 @@ std::string event_text(const CompiledScene& scene, const std::vector<std::uint32
     const std::size_t prefix = scene.objects[object_index<Real>(block, cell.object)].prefix.size();
     const auto world = [&](Real length) { return to_double(length) * scene.unit; };
     const bool interval = event.event != missed;
-    const bool sized = event.event == expanded || event.event == terminal || event.event == capped;
+    const bool sized = event.event == expanded || event.event == known || event.event == terminal ||
+                       event.event == capped;
     const auto number = [](bool known, double value, int digits) {
         return known ? fmt::format("{:.{}g}", value, digits) : std::string("-");
     };
@@ -152,7 +164,7 @@ std::string end_text(const CompiledScene& scene, const std::vector<std::uint32_t
 template <class Real, kernels::Features features>
 std::string describe(const CompiledScene& scene, long x, long y) {
     const std::vector<std::uint32_t> block = make_scene_block<Real>(scene);
-    WatchedNode<Real> node(block, scene.texture_words, scene.heap, sizeof(kernels::Cell<Real>));
+    auto node = make_native_node<WatchedNode<Real>>(scene, block);
     kernels::Heap<WatchedNode<Real>> heap(node);
     auto frame = kernels::read_frame_constants(node);
     kernels::PixelResult<Real> result;
@@ -175,6 +187,7 @@ std::string describe(const CompiledScene& scene, long x, long y) {
             text += event_text(scene, block, node, search, *event);
         }
     }
+    if (node.left_out() > 0) text += fmt::format("... and {} more\n", node.left_out());
     return text + end_text(scene, block, result);
 }
 

@@ -6,11 +6,11 @@
 #include <chrono>
 #include <optional>
 
+#include "host/render/crowded.hpp"
 #include "host/render/engine.hpp"
 #include "host/render/first_failure.hpp"
 #include "host/render/gather.hpp"
 #include "host/render/instances.hpp"
-#include "host/render/native_node.hpp"
 #include "host/render/threads.hpp"
 #include "host/wide/wide_engine.hpp"
 #include "pxm/frame_buffer.hpp"
@@ -66,10 +66,8 @@ EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
     {
         RayStatistics rays;
         std::optional<NativeNode<Real>> node;
+        failure.guard([&] { node.emplace(make_native_node<NativeNode<Real>>(scene, block)); });
         clear_overflow();  // a thread keeps the flags of what it computed before
-        failure.guard([&] {
-            node.emplace(block, scene.texture_words, scene.heap, sizeof(kernels::Cell<Real>));
-        });
 #pragma omp for schedule(dynamic, 4) nowait
         for (long tile = 0; tile < tiles; ++tile) {
             if (stopped.load(std::memory_order_relaxed)) continue;

@@ -14,7 +14,8 @@ namespace pxm::host {
 /// One volume per follow set, in the coordinates of the ifs block. A declared volume stands for all
 /// sets if it contains the attractor and rays do not meet thousands of cells; if not, a computed
 /// one does and a warning says why, and by how much it fell short. Where only what may stand inside
-/// some maps sticks out of it, computed ones are used there. `kind` other than automatic overrides what is declared.
+/// some maps sticks out of it, computed ones are used there. `kind` other than automatic overrides
+/// what is declared.
 [[nodiscard]] std::vector<CompiledVolume> choose_volumes(const ObjectBlock& object, VolumeKind kind,
                                                          const Rifs& rifs,
                                                          const std::vector<Bounds>& bounds,

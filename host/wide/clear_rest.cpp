@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/render/crowded.hpp"
 #include "host/render/gather.hpp"
 #include "host/wide/to_node.hpp"
 
@@ -22,7 +23,7 @@ ClearRest::ClearRest(const CompiledScene& whole, const WideScene& wide)
 
 ClearSearch::ClearSearch(const ClearRest& rest)
     : rest_(rest),
-      node_(rest.block, rest.scene.texture_words, rest.scene.heap, sizeof(kernels::Cell<double>)),
+      node_(make_native_node<Node>(rest.scene, rest.block)),
       heap_(node_),
       constants_(kernels::read_frame_constants(node_)) {}
 

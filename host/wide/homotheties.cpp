@@ -184,7 +184,8 @@ std::vector<glm::dvec3> hull_points(const WideScene& scene, const WideObject& ob
 /// turned otherwise is no object of homotheties any more.
 void find_turns(WideScene& scene) {
     constexpr double alike = 1e-9;
-    const std::size_t most = std::max<std::size_t>(1, most_turned_sets / std::max<std::size_t>(1, scene.sets.size()));
+    const std::size_t most =
+        std::max<std::size_t>(1, most_turned_sets / std::max<std::size_t>(1, scene.sets.size()));
     for (WideObject& object : scene.objects) {
         const bool alone = scene.sets[static_cast<std::size_t>(object.set)].count == 0;
         if (!object.fixed_direction || !object.spheres || alone) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "host/render/crowded.hpp"
 #include "host/render/gather.hpp"
 #include "host/render/instances.hpp"
 #include "host/render/overflow.hpp"
@@ -18,7 +19,7 @@ TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide, const 
       wide_(wide),
       block_(block),
       frame_(frame),
-      node_(block, scene.texture_words, scene.heap, sizeof(kernels::Cell<double>)),
+      node_(make_native_node<Node>(scene, block)),
       heap_(node_),
       constants_(kernels::read_frame_constants(node_)),
       clear_pixel_(with_needed_features(scene,

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/fractal/lipschitz.hpp"
+#include "host/render/crowded.hpp"
 #include "host/render/gather.hpp"
 #include "host/render/scene_block.hpp"
 #include "host/wide/aspect.hpp"
@@ -141,10 +142,26 @@ double widest_around(const CompiledScene& scene, const CompiledObject& object) {
 /// share: gigabytes at 0.995.
 bool hardly_contracts(const CompiledMap& map) { return !(map.constant <= 0.985); }
 
-/// What of an object the wide engine cannot do, if anything.
-std::string why_not(const CompiledScene& scene, const CompiledObject& object) {
-    const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
+/// What of a scene's objects the wide engine cannot do.
+class Limits {
+  public:
+    explicit Limits(const CompiledScene& scene) : scene_(scene), crowded_(crowded_shapes(scene)) {}
+
+    /// Empty if it can do the object.
+    [[nodiscard]] std::string why_not(const CompiledObject& object) const;
+    [[nodiscard]] bool allow(const CompiledObject& object) const { return why_not(object).empty(); }
+
+  private:
+    const CompiledScene& scene_;
+    std::vector<bool> crowded_;
+};
+
+std::string Limits::why_not(const CompiledObject& object) const {
+    const auto index = static_cast<std::size_t>(object.shape);
+    const CompiledShape& shape = scene_.shapes[index];
     if (shape.lifted) return "has singular maps, which were lifted";
+    // One search for all cells of a tile has no account of those that are alike.
+    if (crowded_[index] && !scene_.area) return "has cells that overlap very much";
     if (!std::ranges::all_of(shape.sets, is_ball_or_box, &CompiledSet::volume)) {
         return "has bounding volumes that are neither balls nor boxes";
     }
@@ -190,9 +207,10 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (needs_covers(scene) && !scene.area) {
         return "local covers by diameter and translucent objects are the clear kernels'";
     }
+    const Limits limits(scene);
     if (scene.area) {  // the cells of all objects share the places of a pixel
         for (const CompiledObject& object : scene.objects) {
-            const std::string reason = why_not(scene, object);
+            const std::string reason = limits.why_not(object);
             if (!reason.empty()) {
                 return fmt::format(
                     "object \"{}\" {}, and local covers by area are done by one "
@@ -201,19 +219,18 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
             }
         }
     }
-    const bool some = std::ranges::any_of(scene.objects, [&](const CompiledObject& object) {
-        return why_not(scene, object).empty();
-    });
+    const bool some = std::ranges::any_of(
+        scene.objects, [&](const CompiledObject& object) { return limits.allow(object); });
     if (some) return "";
     if (scene.objects.empty()) return "there is no object";
     const CompiledObject& first = scene.objects.front();
-    return fmt::format("object \"{}\" {}", first.name, why_not(scene, first));
+    return fmt::format("object \"{}\" {}", first.name, limits.why_not(first));
 }
 
 CompiledScene left_to_clear_kernels(const CompiledScene& scene) {
     CompiledScene rest = scene;
-    std::erase_if(rest.objects,
-                  [&](const CompiledObject& object) { return why_not(scene, object).empty(); });
+    const Limits limits(scene);
+    std::erase_if(rest.objects, [&](const CompiledObject& object) { return limits.allow(object); });
     return rest;
 }
 
@@ -221,9 +238,10 @@ std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
     const std::string reason = why_not_wide(scene, Numeric::single);
     std::vector<ObjectMethod> methods;
     const WideScene wide = reason.empty() ? make_wide_scene(scene) : WideScene{};
+    const Limits limits(scene);
     std::size_t next = 0;  // of the wide scene's objects
     for (const CompiledObject& object : scene.objects) {
-        const std::string own = why_not(scene, object);
+        const std::string own = limits.why_not(object);
         const std::size_t at = own.empty() ? next++ : 0;
         if (object.origin < static_cast<int>(methods.size())) continue;
         if (!reason.empty() || !own.empty()) {
@@ -248,10 +266,11 @@ WideScene make_wide_scene(const CompiledScene& scene) {
     wide.background = floats(scene.background);
     wide.lights = scene.lights;
     wide.enclosures = scene.enclosures;
+    const Limits limits(scene);
     std::vector<int> first_sets;
     std::vector<bool> in_use(scene.shapes.size(), false);
     for (const CompiledObject& object : scene.objects) {
-        if (why_not(scene, object).empty()) in_use[static_cast<std::size_t>(object.shape)] = true;
+        if (limits.allow(object)) in_use[static_cast<std::size_t>(object.shape)] = true;
     }
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         first_sets.push_back(static_cast<int>(wide.sets.size()));
@@ -262,7 +281,7 @@ WideScene make_wide_scene(const CompiledScene& scene) {
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const CompiledObject& object = scene.objects[i];
-        if (!why_not(scene, object).empty()) continue;
+        if (!limits.allow(object)) continue;
         const auto index = static_cast<std::size_t>(object.shape);
         const CompiledShape& shape = scene.shapes[index];
         const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(object.start)].volume;
