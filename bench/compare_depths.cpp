@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "host/error.hpp"
-#include "host/output/image.hpp"
+#include "host/files/image_reader.hpp"
 
 namespace {
 
@@ -30,7 +30,7 @@ double number(const LoadedImage& image, const char* name) {
 }
 
 void compare(const std::string& picture, const std::string& dump) {
-    const LoadedImage image = read_image(picture);
+    const LoadedImage image = read_image(picture, {"Z"});
     const int z = image.channel("Z");
     if (z < 0) throw Error(ExitCode::file, picture + ": no channel Z");
     const auto pixels =

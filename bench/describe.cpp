@@ -25,7 +25,7 @@ std::string text_of(const Affine& map) {
 
 CompiledScene compiled(const std::string& path, const SceneOverrides& overrides) {
     Diagnostics diagnostics;
-    Scene scene = parse_scene(path, diagnostics);
+    Scene scene = parse_scene(path, diagnostics, {"/"});  // whatever its user measures
     apply(overrides, scene);
     check_scene(scene, diagnostics);
     diagnostics.throw_if_errors(scene.files);

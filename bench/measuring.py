@@ -43,7 +43,7 @@ def render(folder, scene, size, zoom, threads, options, scratch, limit, out="out
     stats = os.path.join(scratch, "stats.json")
     subprocess.run([program(folder, "pxm"), "render", os.path.join(TOP, scene), "-o",
                     os.path.join(scratch, out), "--size", size, "--zoom", str(zoom), "--threads",
-                    str(threads), "--quiet", "--stats", stats, *options],
+                    str(threads), "--allow", TOP, "--quiet", "--stats", stats, *options],
                    check=True, stderr=subprocess.DEVNULL, timeout=limit)
     with open(stats) as file:
         return json.load(file)["seconds"]["render"]

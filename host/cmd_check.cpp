@@ -18,29 +18,31 @@ namespace {
 struct CheckArguments {
     std::vector<std::string> scenes;
     std::vector<std::string> set;
+    std::vector<std::string> allowed;
     bool werror = false;
     bool format = false;
 };
 
 /// Prints the findings; what a scene ends with.
-ExitCode check_one(const std::string& scene, const Settings& settings, bool werror) {
+ExitCode check_one(const std::string& scene, const Settings& settings,
+                   const CheckArguments& arguments) {
     Findings found;
     try {
-        found = findings_of(scene, settings);
+        found = findings_of(scene, settings, arguments.allowed);
     } catch (const Error& error) {
         if (error.code() != ExitCode::file) throw;
         tell(std::string(error.what()) + "\n");
         return error.code();
     }
     if (!found.text.empty()) tell(found.text + "\n");
-    return found.errors || (werror && found.warnings) ? ExitCode::scene : ExitCode::done;
+    return found.errors || (arguments.werror && found.warnings) ? ExitCode::scene : ExitCode::done;
 }
 
 /// Whether its text can be read as a scene: what is wrong beyond that has no bearing on its form.
-void print_formatted(const std::string& scene) {
+void print_formatted(const std::string& scene, const std::vector<std::string>& allowed) {
     const std::string text = read_file(scene);
     Diagnostics diagnostics;
-    const Scene parsed = parse_text(scene, text, diagnostics);
+    const Scene parsed = parse_scene(scene, diagnostics, allowed);
     if (!diagnostics.has_errors()) put_result(format_scene(text));
 }
 
@@ -50,10 +52,11 @@ ExitCode check(const CheckArguments& arguments) {
     const Settings settings = parse_settings(arguments.set);
     ExitCode worst = ExitCode::done;
     for (const std::string& scene : arguments.scenes) {
-        const ExitCode code = check_one(scene, settings, arguments.werror);
+        const ExitCode code = check_one(scene, settings, arguments);
         worst = std::max(worst, code);
     }
-    if (arguments.format && worst != ExitCode::file) print_formatted(arguments.scenes.front());
+    if (arguments.format && worst != ExitCode::file)
+        print_formatted(arguments.scenes.front(), arguments.allowed);
     return worst;
 }
 
@@ -67,6 +70,7 @@ CommandAction add_check_command(CLI::App& app) {
         ->required()
         ->check(some_text());
     add_set_option(*command, a->set);
+    add_allow_option(*command, a->allowed);
     command->add_flag("--werror", a->werror, "Warnings count as errors");
     command->add_flag("--format", a->format,
                       "Print the scene formatted, with its comments, on the standard output");

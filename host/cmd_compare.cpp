@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "host/cmd.hpp"
+#include "host/interrupt.hpp"
 #include "host/option_checks.hpp"
 #include "host/output/comparison.hpp"
 #include "host/terminal.hpp"
@@ -28,7 +29,15 @@ void print_share(const char* what, double share) {
 }
 
 ExitCode compare(const CompareArguments& arguments) {
-    const Comparison c = compare_images(read_image(arguments.a), read_image(arguments.b));
+    ImageReader a(arguments.a, any_image);
+    ImageReader b(arguments.b, any_image);
+    ImageComparison comparison(a.header(), b.header());
+    for (int y = 0; y < a.header().height; ++y) {
+        if (stop_requested()) return signal_exit_code();
+        const float* row = a.next_row();
+        comparison.add_row(row, b.next_row());
+    }
+    const Comparison c = comparison.result();
     print_share("different hits", c.hits);
     print_share("different words", c.words);
     print_share("depths over a pixel apart", c.depths);
@@ -36,6 +45,7 @@ ExitCode compare(const CompareArguments& arguments) {
         put_result(
             fmt::format("{:<28} {:.6g} pixels\n", "largest depth difference", c.worst_depth));
     print_share("colours over 1/255 apart", c.colors);
+    if (c.other_cell_colors > 0) print_share("  of them in other cells", c.other_cell_colors);
     put_result(fmt::format("{:<28} {:.6g}\n", "RMSE of colour", c.rmse));
     const bool over = c.different > arguments.tolerance;
     put_result(fmt::format("{:<28} {:.6f} % ({} the tolerance of {:.6f} %)\n", "different pixels",
@@ -54,7 +64,7 @@ CommandAction add_compare_command(CLI::App& app) {
         ->add_option(
             "--tolerance", a->tolerance,
             "Share of pixels that may differ (hit, depth by over a pixel, or colour by over "
-            "1/255 in equal cells); over it the exit code is 6. Default 0")
+            "1/255); over it the exit code is 6. Default 0")
         ->transform(share());
     return [a] { return compare(*a); };
 }

@@ -22,6 +22,7 @@ namespace {
 
 struct InspectArguments {
     std::string scene;
+    std::vector<std::string> allowed;
     std::string out;
     std::vector<std::string> set;
     bool json = false;
@@ -40,7 +41,7 @@ ExitCode inspect_scene(const InspectArguments& arguments) {
     const Settings settings = parse_settings(arguments.set);
     if (!arguments.out.empty()) require_writable(arguments.out);
     Diagnostics diagnostics;
-    const Scene scene = parse_scene(arguments.scene, settings, diagnostics);
+    const Scene scene = parse_scene(arguments.scene, settings, diagnostics, arguments.allowed);
     if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
     diagnostics.throw_if_errors(scene.files);
     if (!arguments.out.empty()) require_spared({arguments.out}, inputs_of(scene));
@@ -72,6 +73,7 @@ CommandAction add_inspect_command(CLI::App& app) {
     add_set_option(*command, a->set);
     command->add_option("-o,--out", a->out, "Write to this file; default: the standard output")
         ->check(some_text());
+    add_allow_option(*command, a->allowed);
     return [a] { return inspect_scene(*a); };
 }
 

@@ -29,6 +29,7 @@ struct PointsArguments {
     std::string scene;
     std::string out;
     std::vector<std::string> set;
+    std::vector<std::string> allowed;
     std::uint64_t count = 0;
     std::uint64_t seed = 1;
     bool quiet = false;
@@ -100,7 +101,7 @@ ExitCode run_points(const PointsArguments& arguments) {
     const Settings settings = parse_settings(arguments.set);
     require_writable(arguments.out);
     Diagnostics diagnostics;
-    const Scene scene = parse_scene(arguments.scene, settings, diagnostics);
+    const Scene scene = parse_scene(arguments.scene, settings, diagnostics, arguments.allowed);
     if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
     std::vector<Player> players;
     if (!diagnostics.has_errors()) players = make_players(scene, arguments.seed, diagnostics);
@@ -137,6 +138,7 @@ CommandAction add_points_command(CLI::App& app) {
     command->add_option("--seed", a->seed, "Another seed gives other points (default 1)")
         ->transform(any_whole_number());
     add_set_option(*command, a->set);
+    add_allow_option(*command, a->allowed);
     command->add_flag("--quiet", a->quiet, "No progress bar");
     return [a] { return run_points(*a); };
 }

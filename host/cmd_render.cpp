@@ -30,6 +30,7 @@ namespace {
 /// The options as they were written; empty where they were not.
 struct RenderArguments {
     std::string scene;
+    std::vector<std::string> allowed;
     std::string out;
     std::string machine;
     bool native = false;
@@ -68,6 +69,7 @@ RenderRequest request_of(const RenderArguments& a) {
     RenderRequest request;
     request.scene_path = a.scene;
     request.settings = parse_settings(a.set);
+    request.allowed = a.allowed;
     request.overrides = overrides_of(a);
     if (!a.machine.empty()) request.machine = &parse_model("--machine", a.machine);
     if (!a.cost_model.empty()) request.costs = read_cost_model(a.cost_model);
@@ -234,6 +236,7 @@ CommandAction add_render_command(CLI::App& app) {
                         "alpha,object,word,N");
     command->add_option("--pixel", a->pixel, "x,y: print this pixel's descent instead");
     command->add_flag("--quiet", a->quiet, "No progress bar, no summary");
+    add_allow_option(*command, a->allowed);
     for (CLI::Option* option : command->get_options()) {
         if (option->get_expected_min() > 0) option->check(some_text());
     }

@@ -74,6 +74,7 @@ CommandAction add_study_command(CLI::App& app) {
         ->transform(positive_number());
     command->add_flag("--fresh", a->request.fresh, "Measure again what is there already");
     command->add_flag("--quiet", a->request.quiet, "No progress");
+    add_allow_option(*command, a->request.allowed);
     return [a] { return study(*a); };
 }
 

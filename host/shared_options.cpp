@@ -20,4 +20,13 @@ void add_set_option(CLI::App& command, std::vector<std::string>& texts) {
         ->allow_extra_args(false);
 }
 
+void add_allow_option(CLI::App& command, std::vector<std::string>& folders) {
+    command
+        .add_option("--allow", folders,
+                    "Scenes may include files and show pictures of this folder too; default: "
+                    "their own folder only. May be given again")
+        ->allow_extra_args(false)  // what follows DIR is another argument
+        ->check(some_text());
+}
+
 }  // namespace pxm::host

@@ -13,4 +13,8 @@ void add_threads_option(CLI::App& command, int& threads);
 /// `--set KEY=VALUE`, as often as one likes (scene/settings.hpp).
 void add_set_option(CLI::App& command, std::vector<std::string>& texts);
 
+/// `--allow DIR`, as often as one likes: further folders where files that a scene names may lie
+/// (files/allowed_folders.hpp).
+void add_allow_option(CLI::App& command, std::vector<std::string>& folders);
+
 }  // namespace pxm::host

@@ -37,7 +37,7 @@ struct Rule {
 
 // Outside libraries, each known to one place.
 const Rule library_rules[] = {
-    {R"(#include\s*<OpenImageIO/)", "host/(output|texture)/.*", "OpenImageIO"},
+    {R"(#include\s*<OpenImageIO/)", "host/(files|output)/.*", "OpenImageIO"},
     {R"(#include\s*<CLI/)", "host/(cli|cmd_|option_checks|shared_options)[^/]*", "CLI11"},
     {R"(#include\s*<nlohmann/)", "host/(.*json[^/]*|output/.*|cmd_[^/]*|study/.*)",
      "nlohmann-json"},

@@ -19,6 +19,9 @@ namespace {
 using namespace pxm::host;
 namespace fs = std::filesystem;
 
+/// Parts and exhibitions include what lies beside their folders.
+const std::string scenes_folder = source_dir + "/scenes";
+
 std::string scene_path(const std::string& name) {
     return (fs::path(source_dir) / "scenes" / (name + ".pxm")).string();
 }
@@ -36,7 +39,7 @@ std::vector<std::string> scene_names() {
 
 Scene parsed(const std::string& name) {
     Diagnostics diagnostics;
-    Scene scene = parse_scene(scene_path(name), diagnostics);
+    Scene scene = parse_scene(scene_path(name), diagnostics, {scenes_folder});
     EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.text(scene.files);
     return scene;
 }
@@ -73,7 +76,7 @@ TEST(Scenes, every_scene_parses_and_checks_without_a_mistake) {
     EXPECT_GE(scene_names().size(), 20U);
     for (const std::string& name : scene_names()) {
         Diagnostics diagnostics;
-        const Scene scene = parse_scene(scene_path(name), diagnostics);
+        const Scene scene = parse_scene(scene_path(name), diagnostics, {scenes_folder});
         if (!diagnostics.has_errors()) {
             check_scene(scene, diagnostics);
         }

@@ -183,7 +183,9 @@ Imported import_file(const ImportRequest& request) {
         return import_fractint({path, read_file(path)}, FractintFormat::l, request.entry);
     if (same_word(extension, ".xy") || same_word(extension, ".txt"))
         return import_picture(request, read_points(path, read_file(path)));
-    return import_picture(request, picture_of(read_image(path)));
+    // The image is let go before the search: its points are all that is kept.
+    const Picture picture = picture_of(read_image(path, {"R", "G", "B", "A", "Y"}));
+    return import_picture(request, picture);
 }
 
 }  // namespace pxm::host

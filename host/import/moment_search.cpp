@@ -40,6 +40,7 @@ Frame2 frame_of(std::span<const WeightedPoint> points) {
 
 std::vector<WeightedPoint> within(const Frame2& frame, std::span<const WeightedPoint> points) {
     std::vector<WeightedPoint> moved;
+    moved.reserve(points.size());
     for (const WeightedPoint& p : points)
         moved.push_back({(p.x - frame.x) / frame.unit, (p.y - frame.y) / frame.unit, p.weight});
     return moved;

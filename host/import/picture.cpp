@@ -65,8 +65,10 @@ Picture picture_of(const LoadedImage& image) {
     const auto width = static_cast<std::size_t>(image.width);
     Picture picture;
     picture.finest = unit;
+    const auto is_ink = [&](double value) { return value >= background * most; };
+    picture.points.reserve(static_cast<std::size_t>(std::ranges::count_if(ink, is_ink)));
     for (std::size_t p = 0; p < ink.size(); ++p) {
-        if (ink[p] < background * most) continue;
+        if (!is_ink(ink[p])) continue;
         picture.points.push_back(
             {(static_cast<double>(p % width) + 0.5 - image.width / 2.0) * unit,
              (image.height / 2.0 - static_cast<double>(p / width) - 0.5) * unit, ink[p] / most});

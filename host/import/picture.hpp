@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "host/files/image_reader.hpp"
 #include "host/import/moments.hpp"
-#include "host/output/image.hpp"
 
 namespace pxm::host {
 

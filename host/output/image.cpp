@@ -47,14 +47,15 @@ std::string date_time() {
     return text;
 }
 
-std::vector<std::string> channel_names(const std::vector<Aov>& aovs) {
+bool is_exr(const std::string& path) { return extension_of(path) == "exr"; }
+
+/// Red, green, blue and, in an EXR, what is opaque: programs that find no A take another channel
+/// for it, or the picture for transparent.
+std::vector<std::string> channel_names(const std::string& path, const std::vector<Aov>& aovs) {
     std::vector<std::string> names{"R", "G", "B"};
+    if (is_exr(path)) names.emplace_back("A");
     for (const Aov aov : aovs) {
-        if (aov == Aov::normal) {
-            names.insert(names.end(), {"N.x", "N.y", "N.z"});
-        } else {
-            names.emplace_back(aov_name(aov));
-        }
+        for (const AovChannel& channel : channels_of(aov)) names.push_back(channel.name);
     }
     return names;
 }
@@ -110,17 +111,22 @@ OIIO::ImageSpec spec_of(const std::string& path, const PixelSize& size,
     spec.attribute("DateTime", date_time());
     spec.attribute("Software", "pxm " PXM_VERSION);
     spec.attribute("oiio:ColorSpace", floats ? "Linear" : "sRGB");
-    if (extension_of(path) == "exr") {
+    if (is_exr(path)) {
         spec.attribute("compression", "zip");
-        for (const auto& [name, value] : metadata) spec.attribute("pxm:" + name, value);
+        // No colon in the names: to some readers what stands before it is a channel's.
+        for (const auto& [name, value] : metadata) spec.attribute("pxm_" + name, value);
     }
     return spec;
 }
 
-std::vector<float> floats_of(const Frame& rows, const std::vector<Aov>& aovs) {
+std::vector<float> floats_of(const Frame& rows, const std::vector<std::string>& names,
+                             const std::vector<Aov>& aovs) {
+    const bool opaque = std::ranges::count(names, "A") > 0;
     std::vector<float> values;
+    values.reserve(rows.pixels.size() * names.size());
     for (const PixelRecord& pixel : rows.pixels) {
         values.insert(values.end(), pixel.color, pixel.color + 3);
+        if (opaque) values.push_back(1);
         for (const Aov aov : aovs) append(values, pixel, aov);
     }
     return values;
@@ -147,26 +153,10 @@ std::vector<unsigned char> bytes_of(const Frame& rows) {
     return all;
 }
 
-std::unique_ptr<OIIO::ImageInput> open_image(const std::string& path) {
-    OIIO::attribute("threads", 1);
-    auto input = OIIO::ImageInput::open(path);
-    if (!input) {
-        // OpenImageIO's second sentence would ask the user a question.
-        const std::string why = OIIO::geterror();
-        throw Error(ExitCode::file, "cannot read " + path + ": " + why.substr(0, why.find(". ")));
-    }
-    return input;
-}
-
-/// Whether the numbers of a file go through the sRGB curve.
-bool is_srgb(const OIIO::ImageSpec& spec) {
-    return !spec.format.is_floating_point() &&
-           spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
-}
-
 /// Whether OpenImageIO has a writer of colour pictures for this extension. Its `null` and `term`
 /// write no file, a zfile holds depths, and its IFF takes tiles alone.
 bool is_picture_format(const std::string& path) {
+    prepare_image_library();
     const auto output = OIIO::ImageOutput::create(path);
     if (!output) return (void)OIIO::geterror(), false;
     const std::string format = output->format_name();
@@ -175,47 +165,9 @@ bool is_picture_format(const std::string& path) {
 
 }  // namespace
 
-const char* aov_name(Aov aov) {
-    switch (aov) {
-        case Aov::z:
-            return "Z";
-        case Aov::node:
-            return "node";
-        case Aov::cycles:
-            return "cycles";
-        case Aov::volumes:
-            return "volumes";
-        case Aov::level:
-            return "level";
-        case Aov::heap:
-            return "heap";
-        case Aov::alpha:
-            return "alpha";
-        case Aov::object:
-            return "object";
-        case Aov::word:
-            return "word";
-        case Aov::normal:
-            return "N";
-    }
-    return "";
-}
-
-const std::vector<Aov>& all_aovs() {
-    using enum Aov;
-    static const std::vector<Aov> all{z,    node,  cycles, volumes, level,
-                                      heap, alpha, object, word,    normal};
-    return all;
-}
-
 float srgb_from_linear(float linear) {
     const float x = std::clamp(linear, 0.0F, 1.0F);
     return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
-}
-
-float linear_from_srgb(float srgb) {
-    const float x = std::clamp(srgb, 0.0F, 1.0F);
-    return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
 }
 
 void require_image_format(const std::string& path, const std::vector<Aov>& aovs) {
@@ -225,7 +177,7 @@ void require_image_format(const std::string& path, const std::vector<Aov>& aovs)
                                                 ": unknown image extension \"" + extension +
                                                 "\" (png, exr, tif, jpg, ...)");
     }
-    if (!aovs.empty() && extension != "exr") {
+    if (!aovs.empty() && !is_exr(path)) {
         throw Error(ExitCode::command_line, "--aov needs an .exr output, not " + path);
     }
 }
@@ -262,11 +214,11 @@ struct ImageWriter::File {
 ImageWriter::ImageWriter(const std::string& path, const PixelSize& size,
                          const std::vector<Aov>& aovs, const Metadata& metadata)
     : file_(new File(path, size, aovs)) {
-    OIIO::attribute("threads", 1);
+    prepare_image_library();
     file_->output = OIIO::ImageOutput::create(file_->part.beside());
     if (!file_->output) cannot_write(path, OIIO::geterror());
     if (!takes_a_sink(*file_->output, file_->sink)) file_->digest.emplace();
-    const OIIO::ImageSpec spec = spec_of(path, size, channel_names(aovs), metadata);
+    const OIIO::ImageSpec spec = spec_of(path, size, channel_names(path, aovs), metadata);
     // Some formats hold the name: with a place to write to it need not be the part's.
     file_->require(file_->output->open(file_->digest ? file_->part.beside() : path, spec));
 }
@@ -280,7 +232,8 @@ void ImageWriter::append(const Frame& rows) {
         file_->require(file_->output->write_scanlines(first, file_->next_row, 0, type, pixels));
     };
     if (holds_floats(file_->path)) {
-        put(OIIO::TypeDesc::FLOAT, floats_of(rows, file_->aovs).data());
+        put(OIIO::TypeDesc::FLOAT,
+            floats_of(rows, channel_names(file_->path, file_->aovs), file_->aovs).data());
     } else {
         const std::vector<unsigned char> bytes = bytes_of(rows);
         if (file_->digest) file_->digest->add(bytes.data(), bytes.size());
@@ -305,67 +258,6 @@ void write_image(const std::string& path, const Frame& frame, const std::vector<
     ImageWriter writer(path, {frame.columns(), frame.rows()}, aovs, metadata);
     writer.append(frame);
     writer.finish();
-}
-
-int LoadedImage::channel(const std::string& name) const {
-    const auto found = std::ranges::find(channels, name);
-    return found == channels.end() ? -1 : static_cast<int>(found - channels.begin());
-}
-
-const std::string* LoadedImage::find(const std::string& name) const {
-    const auto found =
-        std::ranges::find(metadata, name, &std::pair<std::string, std::string>::first);
-    return found == metadata.end() ? nullptr : &found->second;
-}
-
-LoadedImage read_image(const std::string& path) {
-    const auto input = open_image(path);
-    const OIIO::ImageSpec& spec = input->spec();
-    LoadedImage image;
-    image.width = spec.width;
-    image.height = spec.height;
-    image.srgb = is_srgb(spec);
-    image.channels = spec.channelnames;
-    image.values.resize(static_cast<std::size_t>(spec.width) *
-                        static_cast<std::size_t>(spec.height) * image.channels.size());
-    if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, image.values.data())) {
-        throw Error(ExitCode::file, "cannot read " + path + ": " + input->geterror());
-    }
-    for (const auto& attribute : spec.extra_attribs) {
-        const std::string name = attribute.name().string();
-        if (name.starts_with("pxm:"))
-            image.metadata.emplace_back(name.substr(4), attribute.get_string());
-    }
-    return image;
-}
-
-LinearPicture read_linear_picture(const std::string& path) {
-    {
-        const auto input = open_image(path);
-        const OIIO::ImageSpec& spec = input->spec();
-        if (std::max(spec.width, spec.height) > picture_side_pixels ||
-            long{spec.width} * spec.height > picture_pixels) {
-            throw Error(
-                ExitCode::file,
-                fmt::format("cannot use {}: {} x {} pixels are more than {} in all or {} "
-                            "a side",
-                            path, spec.width, spec.height, picture_pixels, picture_side_pixels));
-        }
-    }
-    const LoadedImage image = read_image(path);
-    LinearPicture picture{image.width, image.height, {}};
-    const int channels = static_cast<int>(image.channels.size());
-    const std::size_t pixels =
-        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        std::array<float, 3> color{};
-        for (int c = 0; c < 3; ++c) {
-            const float value = image.at(i, channels < 3 ? 0 : c);
-            color[static_cast<std::size_t>(c)] = image.srgb ? linear_from_srgb(value) : value;
-        }
-        picture.pixels.push_back(color);
-    }
-    return picture;
 }
 
 }  // namespace pxm::host

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "host/error.hpp"
+#include "host/scene/picture_path.hpp"
 #include "host/scene/printable.hpp"
 
 namespace pxm::host {
@@ -19,10 +20,8 @@ std::vector<InputFile> inputs_of(const Scene& scene) {
         inputs.push_back({file.name, inputs.empty() ? "the scene" : "a file that it includes"});
     for (const TextureBlock& texture : scene.textures) {
         const auto* image = texture.source ? std::get_if<FileTexture>(&*texture.source) : nullptr;
-        const auto number = static_cast<std::size_t>(texture.source_position.file);
-        if (image == nullptr || number >= scene.files.size()) continue;
-        const fs::path folder = fs::path(scene.files[number].name).parent_path();
-        inputs.push_back({(folder / image->file).string(), "a texture of the scene"});
+        if (image == nullptr) continue;
+        inputs.push_back({picture_path(scene, texture, *image), "a texture of the scene"});
     }
     return inputs;
 }

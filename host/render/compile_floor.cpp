@@ -9,8 +9,11 @@
 
 #include "dsp_kernels/texture_wood.hpp"
 #include "host/error.hpp"
+#include "host/files/image_reader.hpp"
 #include "host/render/compile_flat_ifs.hpp"
 #include "host/render/image_levels.hpp"
+#include "host/scene/limits.hpp"
+#include "host/scene/picture_path.hpp"
 #include "host/scene/range_check.hpp"
 
 namespace pxm::host {
@@ -50,11 +53,6 @@ struct SizedTexture {
     CompiledTexture texture;
     glm::dvec2 size{1.0};
 };
-
-std::string folder_of(const std::string& path) {
-    const auto slash = path.rfind('/');
-    return slash == std::string::npos ? "" : path.substr(0, slash + 1);
-}
 
 class FloorCompiler {
   public:
@@ -146,19 +144,31 @@ class FloorCompiler {
     }
 
     LinearPicture picture_of(const TextureBlock& block, const FileTexture& file) {
-        const auto number = static_cast<std::size_t>(block.source_position.file);
-        const std::string scene =
-            number < scene_.files.size() ? scene_.files[number].name : std::string();
-        const std::string path =
-            file.file.starts_with('/') ? file.file : folder_of(scene) + file.file;
+        const std::string path = picture_path(scene_, block, file);
         try {
-            return read_linear_picture(path);
+            ImageReader reader(path, kept_image);
+            count_picture(reader.header());
+            return read_linear_picture(reader);
         } catch (const Error& error) {
-            throw Error(error.code(),
-                        fmt::format("{}:{}:{}: {}: {}", scene, block.source_position.line,
-                                    block.source_position.column, block_name("texture", block.name),
-                                    error.what()));
+            const Position& at = block.source_position;
+            const auto number = static_cast<std::size_t>(at.file);
+            const std::string scene =
+                number < scene_.files.size() ? scene_.files[number].name : std::string();
+            throw Error(error.code(), fmt::format("{}:{}:{}: {}: {}", scene, at.line, at.column,
+                                                  block_name("texture", block.name), error.what()));
         }
+    }
+
+    /// Holds a scene's pictures to its limits before the next one is unpacked.
+    void count_picture(const ImageHeader& header) {
+        texels_ += long{header.width} * header.height;
+        if (++pictures_ > pictures_a_scene)
+            throw Error(ExitCode::scene,
+                        fmt::format("a scene has at most {} pictures", pictures_a_scene));
+        if (texels_ > texels_a_scene)
+            throw Error(
+                ExitCode::scene,
+                fmt::format("the scene's pictures have more than {} pixels", texels_a_scene));
     }
 
     static SizedTexture wood(const TextureBlock& block) {
@@ -198,6 +208,8 @@ class FloorCompiler {
     CompiledScene& out_;
     Diagnostics& diagnostics_;
     std::vector<glm::dvec2> sizes_;  // of a repeat of each texture, world units
+    std::size_t pictures_ = 0;       // that were read
+    long texels_ = 0;                // of them
 };
 
 }  // namespace

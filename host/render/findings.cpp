@@ -25,13 +25,14 @@ std::string compile_mistake(const RenderRequest& request, Prepared& prepared,
 
 }  // namespace
 
-Findings findings_of(const std::string& scene_path, const Settings& settings) {
+Findings findings_of(const std::string& scene_path, const Settings& settings,
+                     const std::vector<std::string>& allowed) {
     RenderRequest request;
     request.scene_path = scene_path;
     request.settings = settings;
     Prepared prepared;
     Diagnostics diagnostics;
-    prepared.scene = parse_scene(scene_path, settings, diagnostics);
+    prepared.scene = parse_scene(scene_path, settings, diagnostics, allowed);
     if (!diagnostics.has_errors()) check_scene(prepared.scene, diagnostics);
     std::string mistake;
     if (!diagnostics.has_errors()) mistake = compile_mistake(request, prepared, diagnostics);

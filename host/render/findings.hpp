@@ -16,6 +16,7 @@ struct Findings {
 /// Parses, checks and compiles the scene, and finds its method of intersection. What is wrong with
 /// it or with a file that it names is in the findings. Throws Error: the scene's own file cannot be
 /// read (4), a setting is wrong (2).
-[[nodiscard]] Findings findings_of(const std::string& scene_path, const Settings& settings);
+[[nodiscard]] Findings findings_of(const std::string& scene_path, const Settings& settings,
+                                   const std::vector<std::string>& allowed = {});
 
 }  // namespace pxm::host

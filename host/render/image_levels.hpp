@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/output/image.hpp"
+#include "host/files/image_reader.hpp"
 #include "host/render/compiled_floor.hpp"
 
 namespace pxm::host {

@@ -28,7 +28,8 @@ Prepared prepare(const RenderRequest& request) {
     PhaseClock clock;
     Prepared prepared;
     Diagnostics diagnostics;
-    prepared.scene = parse_scene(request.scene_path, request.settings, diagnostics);
+    prepared.scene =
+        parse_scene(request.scene_path, request.settings, diagnostics, request.allowed);
     if (!diagnostics.has_errors()) {
         apply(request.overrides, prepared.scene);
         check_scene(prepared.scene, diagnostics);

@@ -36,7 +36,8 @@ void apply(const SceneOverrides& overrides, Scene& scene);
 
 struct RenderRequest {
     std::string scene_path;
-    Settings settings;  // of the scene, under the overrides
+    Settings settings;                      // of the scene, under the overrides
+    std::vector<std::string> allowed = {};  // folders beside the scene's own (--allow)
     SceneOverrides overrides;
     const Model* machine = nullptr;  // null: native
     int threads = 1;

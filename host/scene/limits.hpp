@@ -12,6 +12,9 @@ inline constexpr long heap_entries = 65'536;
 inline constexpr long samples_a_pixel = 65'536;
 inline constexpr long mirror_bounces = 64;
 inline constexpr int include_depth = 32;
-inline constexpr std::size_t file_bytes = std::size_t{64} << 20U;
+inline constexpr std::size_t files_a_scene = 1'000;
+inline constexpr std::size_t text_bytes_a_scene = std::size_t{256} << 20U;
+inline constexpr std::size_t pictures_a_scene = 256;
+inline constexpr long texels_a_scene = 4L * 4096 * 4096;  // pixels of all its pictures
 
 }  // namespace pxm::host

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "host/error.hpp"
+#include "host/files/allowed_folders.hpp"
 #include "host/scene/block_parser.hpp"
 #include "host/scene/limits.hpp"
+#include "host/scene/picture_path.hpp"
 #include "host/scene/printable.hpp"
+#include "host/scene/range_check.hpp"
 
 namespace pxm::host {
 namespace {
@@ -71,6 +72,7 @@ class SceneParser {
     Constants constants_;
     std::vector<std::string> open_files_;  // the file being read and those that include it
     std::set<std::string> read_files_;
+    std::size_t text_bytes_ = 0;  // of all that was included
 };
 
 void SceneParser::file(const std::string& path, const std::string& name, const std::string& text) {
@@ -144,6 +146,11 @@ void SceneParser::include_file(TokenReader& tokens, const Token& file_token) {
                       fmt::format("includes nested deeper than {}", include_depth));
         return;
     }
+    if (scene_.files.size() >= files_a_scene) {
+        tokens.report(file_token.position,
+                      fmt::format("the scene has more than {} files", files_a_scene));
+        return;
+    }
     std::string text;
     try {
         text = reader_(path);
@@ -151,6 +158,13 @@ void SceneParser::include_file(TokenReader& tokens, const Token& file_token) {
         tokens.report(file_token.position,
                       fmt::format("cannot include \"{}\": {}", printable(file_token.text, 400),
                                   error.what()));
+        return;
+    }
+    text_bytes_ += text.size();
+    if (text_bytes_ > text_bytes_a_scene) {
+        tokens.report(file_token.position,
+                      fmt::format("the scene's files have more than {} MB in all",
+                                  text_bytes_a_scene >> 20U));
         return;
     }
     if (!begins_as_scene(text)) {
@@ -162,30 +176,33 @@ void SceneParser::include_file(TokenReader& tokens, const Token& file_token) {
     file(path, path, text);
 }
 
-}  // namespace
-
-std::string read_file(const std::string& path) {
-    const auto refuse = [&](const std::string& why) {
-        throw Error(ExitCode::file, fmt::format("{}: {}", path, why));
-    };
-    std::error_code failed;
-    const fs::file_status status = fs::status(path, failed);
-    if (!fs::exists(status)) refuse("no such file");
-    if (fs::is_directory(status)) refuse("is a directory");
-    // A pipe or a device could keep the parser waiting for ever.
-    if (!fs::is_regular_file(status)) refuse("not a regular file");
-    if (fs::file_size(path, failed) > file_bytes)
-        refuse(fmt::format("larger than {} MB", file_bytes >> 20U));
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) refuse("cannot be opened");
-    std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    if (stream.bad()) refuse("cannot be read");
-    return text;
+/// Also those that no plane shows: a scene is refused for what it says, not for what it does.
+void refuse_pictures_outside(const Scene& scene, const AllowedFolders& folders,
+                             Diagnostics& diagnostics) {
+    for (const TextureBlock& texture : scene.textures) {
+        const auto* source = texture.source ? std::get_if<FileTexture>(&*texture.source) : nullptr;
+        if (source == nullptr) continue;
+        try {
+            (void)folders.resolved(picture_path(scene, texture, *source));
+        } catch (const Error& error) {
+            diagnostics.error(
+                texture.source_position,
+                fmt::format("{}: {}", block_name("texture", texture.name), error.what()));
+        }
+    }
 }
 
-Scene parse_scene(const std::string& path, Diagnostics& diagnostics, const FileReader& reader,
-                  const LetNumber& let_number) {
-    return parse_text(path, reader(path), diagnostics, reader, let_number);
+}  // namespace
+
+Scene parse_scene(const std::string& path, Diagnostics& diagnostics,
+                  const std::vector<std::string>& allowed, const LetNumber& let_number) {
+    const AllowedFolders folders(path, allowed);
+    const FileReader reader = [&](const std::string& included) {
+        return read_file(folders.resolved(included), included);
+    };
+    Scene scene = parse_text(path, read_file(path), diagnostics, reader, let_number);
+    refuse_pictures_outside(scene, folders, diagnostics);
+    return scene;
 }
 
 Scene parse_text(const std::string& name, const std::string& text, Diagnostics& diagnostics,

@@ -147,12 +147,13 @@ std::string text_of(const Settings& settings) {
     return fmt::format("{}", fmt::join(texts, " "));
 }
 
-Scene parse_scene(const std::string& path, const Settings& settings, Diagnostics& diagnostics) {
-    if (settings.empty()) return parse_scene(path, diagnostics);
+Scene parse_scene(const std::string& path, const Settings& settings, Diagnostics& diagnostics,
+                  const std::vector<std::string>& allowed) {
+    if (settings.empty()) return parse_scene(path, diagnostics, allowed);
     LetSettings lets(settings);
-    Scene scene =
-        parse_scene(path, diagnostics, read_file,
-                    [&](const std::string& name, double own) { return lets.number(name, own); });
+    Scene scene = parse_scene(path, diagnostics, allowed, [&](const std::string& name, double own) {
+        return lets.number(name, own);
+    });
     if (diagnostics.has_errors()) return scene;
     lets.require_all_found();
     set_blocks(scene, settings, lets.numbers());

@@ -30,6 +30,7 @@ using Settings = std::vector<Setting>;
 /// key wins. The scene's own mistakes go to `diagnostics`; a setting that names nothing, cannot be
 /// read or makes a sound scene wrong (check.hpp) is an Error(ExitCode::command_line).
 [[nodiscard]] Scene parse_scene(const std::string& path, const Settings& settings,
-                                Diagnostics& diagnostics);
+                                Diagnostics& diagnostics,
+                                const std::vector<std::string>& allowed = {});
 
 }  // namespace pxm::host

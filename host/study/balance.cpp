@@ -171,17 +171,19 @@ StudyPlan plan_balance(const StudyRequest& request) {
         RenderRequest render;
         render.scene_path = request.scenes[i];
         render.settings = request.settings;
+        render.allowed = request.allowed;
         render.overrides.size = request.size;
         render.overrides.numeric = request.numeric;
         render.machine = request.machine ? request.machine : find_model("964dX");
         render.threads = request.threads;
-        Json settings = {{"study", "balance"},
-                         {"pxm", PXM_VERSION},
-                         {"scene", render.scene_path},
-                         {"content", fingerprint_of(render.scene_path, request.settings)},
-                         {"model", render.machine->name},
-                         {"numeric", request.numeric ? static_cast<int>(*request.numeric) : -1},
-                         {"costs", costs_json()}};
+        Json settings = {
+            {"study", "balance"},
+            {"pxm", PXM_VERSION},
+            {"scene", render.scene_path},
+            {"content", fingerprint_of(render.scene_path, request.settings, render.allowed)},
+            {"model", render.machine->name},
+            {"numeric", request.numeric ? static_cast<int>(*request.numeric) : -1},
+            {"costs", costs_json()}};
         settings["size"] =
             request.size ? Json{request.size->columns, request.size->rows} : Json(nullptr);
         plan.units.push_back({names[i], settings, [=, name = names[i]](const UnitControl& control) {

@@ -30,6 +30,7 @@ RenderRequest request_for(const std::string& scene, const SceneOverrides& overri
     RenderRequest request;
     request.scene_path = scene;
     request.settings = study.settings;
+    request.allowed = study.allowed;
     request.overrides = overrides;
     request.overrides.size = study.size.value_or(default_size);
     request.threads = study.threads;
@@ -151,7 +152,7 @@ StudyPlan plan_error(const StudyRequest& request) {
     const PixelSize size = request.size.value_or(default_size);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const std::string scene = request.scenes[i];
-        const std::string content = fingerprint_of(scene, request.settings);
+        const std::string content = fingerprint_of(scene, request.settings, request.allowed);
         const auto references = std::make_shared<References>();
         for (std::size_t k = 0; k < settings.size(); ++k) {
             plan.units.push_back({fmt::format("{}-{:02}", names[i], k),

@@ -37,6 +37,7 @@ RenderRequest request_for(const StabilityCase& one, const std::string& path,
     RenderRequest request;
     request.scene_path = path;
     request.settings = one.settings;
+    request.allowed = one.allowed;
     request.threads = threads;
     request.overrides.numeric = choice.numeric;
     request.overrides.intersect = choice.intersect;
@@ -169,7 +170,7 @@ StudyPlan plan_stability(const StudyRequest& request) {
     StudyPlan plan;
     std::vector<StabilityCase> cases = stability_cases();
     for (const std::string& scene : request.scenes) {
-        cases.push_back(case_of(scene, request.size));
+        cases.push_back(case_of(scene, request.allowed, request.size));
         cases.back().settings = request.settings;
     }
 
@@ -184,7 +185,8 @@ StudyPlan plan_stability(const StudyRequest& request) {
               {"size", {size.columns, size.rows}},
               {"volume", static_cast<int>(one.volume.value_or(VolumeKind{}))},
               {"cell_cap", one.cell_cap.value_or(0)},
-              {"scene", one.path.empty() ? one.text(1) : fingerprint_of(one.path, one.settings)}},
+              {"scene", one.path.empty() ? one.text(1)
+                                         : fingerprint_of(one.path, one.settings, one.allowed)}},
              [=, threads = request.threads](const UnitControl& control) {
                  return measure_case(one, name, threads, control);
              }});

@@ -210,13 +210,15 @@ std::vector<StabilityCase> stability_cases() {
     return t.cases;
 }
 
-StabilityCase case_of(const std::string& scene, const std::optional<PixelSize>& size) {
+StabilityCase case_of(const std::string& scene, const std::vector<std::string>& allowed,
+                      const std::optional<PixelSize>& size) {
     StabilityCase one;
     one.name = stem_of(scene);
     one.family = "scene";
     one.volume.reset();
     one.size = size.value_or(PixelSize{64, 48});
     one.path = scene;
+    one.allowed = allowed;
     return one;
 }
 

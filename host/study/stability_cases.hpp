@@ -27,12 +27,15 @@ struct StabilityCase {
     /// The scene with all lengths of the world multiplied by `unit`: the same picture in exact
     /// numbers, other roundings.
     std::function<std::string(double unit)> text;
-    Settings settings = {};  // of a user's scene
+    Settings settings = {};                 // of a user's scene
+    std::vector<std::string> allowed = {};  // of a user's scene: folders beside its own
 };
 
 [[nodiscard]] std::vector<StabilityCase> stability_cases();
 
 /// A user's scene with one ray a pixel.
-[[nodiscard]] StabilityCase case_of(const std::string& scene, const std::optional<PixelSize>& size);
+[[nodiscard]] StabilityCase case_of(const std::string& scene,
+                                    const std::vector<std::string>& allowed,
+                                    const std::optional<PixelSize>& size);
 
 }  // namespace pxm::host

@@ -25,7 +25,8 @@ enum class StudyKind { balance, error, stability, shading };
 struct StudyRequest {
     StudyKind kind = StudyKind::balance;
     std::vector<std::string> scenes;
-    Settings settings;  // of each of them
+    Settings settings;                 // of each of them
+    std::vector<std::string> allowed;  // folders beside each scene's own (--allow)
     std::string folder;
     std::optional<PixelSize> size;   // of every render; absent: the scene's or the study's own
     const Model* machine = nullptr;  // absent: 964dX where a machine is needed

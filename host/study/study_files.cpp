@@ -41,7 +41,8 @@ void require_spared_scenes(const StudyRequest& request, const StudyPlan& plan) {
     std::vector<InputFile> inputs;
     for (const std::string& path : request.scenes) {
         Diagnostics diagnostics;
-        const std::vector<InputFile> of_scene = inputs_of(parse_scene(path, diagnostics));
+        const std::vector<InputFile> of_scene =
+            inputs_of(parse_scene(path, diagnostics, request.allowed));
         inputs.insert(inputs.end(), of_scene.begin(), of_scene.end());
     }
     if (!inputs.empty()) require_spared(files_of(request, plan), inputs);

@@ -36,9 +36,10 @@ std::vector<std::string> file_names_of(const std::vector<std::string>& scenes) {
     return names;
 }
 
-std::string fingerprint_of(const std::string& scene, const Settings& settings) {
+std::string fingerprint_of(const std::string& scene, const Settings& settings,
+                           const std::vector<std::string>& allowed) {
     Diagnostics diagnostics;
-    const Scene parsed = parse_scene(scene, settings, diagnostics);
+    const Scene parsed = parse_scene(scene, settings, diagnostics, allowed);
     diagnostics.throw_if_errors(parsed.files);
     std::uint64_t hash = 0xcbf2'9ce4'8422'2325;  // FNV-1a
     for (const char c : print_scene(parsed))

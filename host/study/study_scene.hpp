@@ -17,7 +17,8 @@ namespace pxm::host {
 
 /// A hash of what the scene says with what is set of it, includes too, as 16 hex digits. Throws
 /// Error(ExitCode::file, scene).
-[[nodiscard]] std::string fingerprint_of(const std::string& scene, const Settings& settings);
+[[nodiscard]] std::string fingerprint_of(const std::string& scene, const Settings& settings,
+                                         const std::vector<std::string>& allowed);
 
 /// Renders, or throws StudyStopped.
 [[nodiscard]] RenderResult render_unit(const RenderRequest& request, const UnitControl& control);

@@ -54,6 +54,28 @@ TEST_F(Compare, machine_and_native_are_equal) {
     EXPECT_EQ(run(folder, {"compare", "a.exr", "machine.exr"}).exit_code, 0);
 }
 
+TEST_F(Compare, other_words_hide_no_colours) {
+    // The same triangle by other words, in another colour.
+    const std::string light = "light { direction: 0,0,-1 } image { size: 16,16 }\n";
+    folder.write("red.pxm",
+                 "ifs s { newmap scale: 1/2 newmap scale: 1/2 translate: 1/2,0,0\n"
+                 "newmap scale: 1/2 translate: 0,1/2,0 }\n"
+                 "object o { ifs: s color: 1,0,0,1 }\n" +
+                     light);
+    folder.write("green.pxm",
+                 "ifs s { newmap scale: 1/2 translate: 0,1/2,0 newmap scale: 1/2\n"
+                 "newmap scale: 1/2 translate: 1/2,0,0 }\n"
+                 "object o { ifs: s color: 0,1,0,1 }\n" +
+                     light);
+    for (const std::string name : {"red", "green"})
+        expect_done(folder,
+                    {"render", name + ".pxm", "-o", name + ".exr", "--aov", "Z,word,object"});
+    const Outcome outcome = run(folder, {"compare", "red.exr", "green.exr"});
+    EXPECT_EQ(outcome.exit_code, 6) << outcome.out;
+    EXPECT_EQ(outcome.out.find("colours over 1/255 apart     0.000000 %"), std::string::npos);
+    EXPECT_NE(outcome.out.find("\n  of them in other cells "), std::string::npos) << outcome.out;
+}
+
 TEST_F(Compare, channels_that_are_not_there_are_told) {
     render("plain.exr", {});
     const Outcome outcome = run(folder, {"compare", "a.exr", "plain.exr"});

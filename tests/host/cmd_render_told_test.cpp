@@ -58,7 +58,7 @@ TEST_F(Told, native_statistics_agree_with_the_picture) {
     EXPECT_EQ(s["size"], (Json{70, 53}));
     EXPECT_EQ(s["rays"]["eye"], 70 * 53);
     EXPECT_EQ(s["hits"], hits(picture()));
-    EXPECT_EQ(s["volumes_tested"], sum(picture(), "volumes"));
+    EXPECT_EQ(s["volumes_tested"], sum(picture(), "volumes.V"));
     EXPECT_FALSE(s.contains("nodes") || s.contains("program") || s.contains("memory") ||
                  s.contains("balance"));
     const Json& seconds = s["seconds"];
@@ -94,7 +94,7 @@ TEST_F(Told, the_nodes_add_up_to_the_picture) {
     EXPECT_EQ(pixels, 70 * 53);
     EXPECT_EQ(rays, s["rays"]["eye"]);
     EXPECT_EQ(volumes, s["volumes_tested"]);
-    EXPECT_EQ(volumes, sum(picture(), "volumes"));
+    EXPECT_EQ(volumes, sum(picture(), "volumes.V"));
     EXPECT_EQ(overflows, s["heap_overflows"]);
     EXPECT_EQ(s["hits"], hits(picture()));
     const Json& balance = s["balance"];
@@ -129,8 +129,8 @@ TEST_F(Told, cycles_of_the_pixels_add_up_to_those_of_the_nodes) {
     const LoadedImage a = picture();
     std::vector<double> cycles(64);
     for (std::size_t i = 0; i < a.values.size() / a.channels.size(); ++i) {
-        const auto node = static_cast<std::size_t>(a.at(i, a.channel("node")));
-        cycles.at(node) += a.at(i, a.channel("cycles"));
+        const auto node = static_cast<std::size_t>(a.at(i, a.channel("node.V")));
+        cycles.at(node) += a.at(i, a.channel("cycles.V"));
     }
     const Json s = Json::parse(folder.read("s.json"));
     ASSERT_EQ(s["nodes"].size(), 64U);
@@ -182,8 +182,8 @@ TEST_F(Told, a_pixels_descent_ends_as_the_render_shows_it) {
                   6)
             << d.last;
         EXPECT_STREQ(end, hit ? "a terminal cell" : "a miss");
-        EXPECT_EQ(static_cast<float>(volumes), at("volumes"));
-        EXPECT_EQ(static_cast<float>(heap), at("heap"));
+        EXPECT_EQ(static_cast<float>(volumes), at("volumes.V"));
+        EXPECT_EQ(static_cast<float>(heap), at("heap.V"));
         EXPECT_NEAR(r, at("R"), 1e-5);
         EXPECT_NEAR(g, at("G"), 1e-5);
         EXPECT_NEAR(b, at("B"), 1e-5);
@@ -192,7 +192,7 @@ TEST_F(Told, a_pixels_descent_ends_as_the_render_shows_it) {
         double key = 0;
         ASSERT_EQ(std::sscanf(d.before_last.c_str(), "shows %d %lf", &level, &key), 2)
             << d.before_last;
-        EXPECT_EQ(static_cast<float>(level), at("level"));
+        EXPECT_EQ(static_cast<float>(level), at("level.V"));
         EXPECT_NEAR(key, at("Z"), 1e-6 * key);
     }
     EXPECT_EQ(folder.contents(), before) << "--pixel writes no file";

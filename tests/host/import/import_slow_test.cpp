@@ -28,8 +28,10 @@ Frame rendered(const std::string& file, const std::string& entry, long columns, 
 }
 
 LoadedImage image_of(const Frame& frame) {
-    LoadedImage image{
-        static_cast<int>(frame.columns()), static_cast<int>(frame.rows()), {"Y"}, {}, {}};
+    LoadedImage image;
+    image.width = static_cast<int>(frame.columns());
+    image.height = static_cast<int>(frame.rows());
+    image.channels = {"Y"};
     for (const PixelRecord& pixel : frame.pixels) image.values.push_back(pixel.color[1]);
     return image;
 }

@@ -116,7 +116,7 @@ TEST(Collage, the_attractor_is_within_the_bound_of_theorem_8_1) {
 }
 
 LoadedImage image_of(int width, int height, const std::vector<float>& grey) {
-    return {width, height, {"Y"}, grey, {}};
+    return {{width, height, {"Y"}, {}}, grey};
 }
 
 TEST(Picture, ink_is_what_differs_from_the_border) {

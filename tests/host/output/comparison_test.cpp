@@ -29,6 +29,16 @@ LoadedImage row_of_four() {
     return image;
 }
 
+Comparison compare_images(const LoadedImage& a, const LoadedImage& b) {
+    ImageComparison comparison(a, b);
+    for (int y = 0; y < a.height; ++y) {
+        const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width);
+        comparison.add_row(a.values.data() + pixel * a.channels.size(),
+                           b.values.data() + pixel * b.channels.size());
+    }
+    return comparison.result();
+}
+
 float& at(LoadedImage& image, std::size_t pixel, const char* channel) {
     return image.values[pixel * channels + static_cast<std::size_t>(image.channel(channel))];
 }
@@ -74,17 +84,58 @@ TEST(Comparison, depths_are_measured_in_pixels_at_that_depth) {
     EXPECT_EQ(c.different, 0.25);
 }
 
-TEST(Comparison, another_cell_excuses_another_colour) {
+TEST(Comparison, another_colour_differs_in_whatever_cell) {
     LoadedImage b = row_of_four();
     at(b, 0, "word") = 99;
-    at(b, 0, "R") = 1;
     Comparison c = compare_images(row_of_four(), b);
     EXPECT_EQ(c.words, 0.25);
-    EXPECT_EQ(c.colors, 0);
-    EXPECT_EQ(c.different, 0);
+    EXPECT_EQ(c.different, 0) << "another cell of the same look and place";
+    at(b, 0, "R") = 1;
+    at(b, 1, "R") = 1;
+    c = compare_images(row_of_four(), b);
+    EXPECT_EQ(c.words, 0.25);
+    EXPECT_EQ(c.colors, 0.5);
+    EXPECT_EQ(c.other_cell_colors, 0.25);
+    EXPECT_EQ(c.different, 0.5);
     b = row_of_four();
     at(b, 0, "object") = 1;
     EXPECT_EQ(compare_images(row_of_four(), b).words, 0.25);
+}
+
+TEST(Comparison, another_background_is_another_colour) {
+    LoadedImage b = row_of_four();
+    at(b, 3, "G") = 0.5F;
+    EXPECT_EQ(compare_images(row_of_four(), b).colors, 0.25);
+    EXPECT_EQ(compare_images(row_of_four(), b).different, 0.25);
+}
+
+TEST(Comparison, channels_are_known_by_their_old_names_too) {
+    LoadedImage b = row_of_four();
+    b.channels = {"R", "G", "B", "Z", "word.V", "object.V"};
+    b.values[4] = 99;
+    for (const Comparison& c :
+         {compare_images(row_of_four(), b), compare_images(b, row_of_four())}) {
+        EXPECT_EQ(c.words, 0.25);
+    }
+    LoadedImage c = b;
+    c.values[5] = 7;
+    EXPECT_EQ(compare_images(b, c).words, 0.25);
+}
+
+TEST(Comparison, rows_add_up_to_the_picture) {
+    LoadedImage a = row_of_four();
+    LoadedImage b = row_of_four();
+    at(b, 0, "Z") = 9.5F;
+    at(b, 2, "G") = 0;
+    const Comparison row = compare_images(a, b);
+    a.width = b.width = 2;
+    a.height = b.height = 2;
+    const Comparison square = compare_images(a, b);
+    EXPECT_EQ(square.depths, row.depths);
+    EXPECT_EQ(square.worst_depth, row.worst_depth);
+    EXPECT_EQ(square.colors, 0.25);
+    EXPECT_EQ(square.rmse, row.rmse);
+    EXPECT_EQ(square.different, 0.5);
 }
 
 TEST(Comparison, the_same_cell_has_the_same_colour_within_a_255th) {

@@ -61,7 +61,7 @@ TEST(Image, an_exr_gives_back_every_channel_and_the_metadata) {
     const LoadedImage a = read_image(folder.path("a.exr"));
     ASSERT_EQ(a.width, 3);
     ASSERT_EQ(a.height, 2);
-    EXPECT_EQ(a.channels.size(), 3 + 9 + 3U);
+    EXPECT_EQ(a.channels.size(), 4 + 9 + 3U);
     for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
         const PixelRecord& pixel = frame.pixels[i];
         const auto at = [&](const char* name) {
@@ -71,22 +71,39 @@ TEST(Image, an_exr_gives_back_every_channel_and_the_metadata) {
         EXPECT_EQ(at("R"), pixel.color[0]);
         EXPECT_EQ(at("G"), pixel.color[1]);
         EXPECT_EQ(at("B"), pixel.color[2]);
+        EXPECT_EQ(at("A"), 1);
         EXPECT_EQ(at("Z"), pixel.z);
-        EXPECT_EQ(at("node"), static_cast<float>(pixel.node));
-        EXPECT_EQ(at("cycles"), static_cast<float>(pixel.cycles));
-        EXPECT_EQ(at("volumes"), static_cast<float>(pixel.volumes));
-        EXPECT_EQ(at("level"), static_cast<float>(pixel.level));
-        EXPECT_EQ(at("heap"), static_cast<float>(pixel.heap));
-        EXPECT_EQ(at("alpha"), pixel.alpha);
-        EXPECT_EQ(at("object"), static_cast<float>(pixel.object));
-        EXPECT_EQ(static_cast<std::uint32_t>(at("word")), pixel.word) << "24 bits are exact";
-        EXPECT_EQ(at("N.x"), pixel.normal[0]);
-        EXPECT_EQ(at("N.y"), pixel.normal[1]);
-        EXPECT_EQ(at("N.z"), pixel.normal[2]);
+        EXPECT_EQ(at("node.V"), static_cast<float>(pixel.node));
+        EXPECT_EQ(at("cycles.V"), static_cast<float>(pixel.cycles));
+        EXPECT_EQ(at("volumes.V"), static_cast<float>(pixel.volumes));
+        EXPECT_EQ(at("level.V"), static_cast<float>(pixel.level));
+        EXPECT_EQ(at("heap.V"), static_cast<float>(pixel.heap));
+        EXPECT_EQ(at("alpha.V"), pixel.alpha);
+        EXPECT_EQ(at("object.V"), static_cast<float>(pixel.object));
+        EXPECT_EQ(static_cast<std::uint32_t>(at("word.V")), pixel.word) << "24 bits are exact";
+        EXPECT_EQ(at("N.X"), pixel.normal[0]);
+        EXPECT_EQ(at("N.Y"), pixel.normal[1]);
+        EXPECT_EQ(at("N.Z"), pixel.normal[2]);
     }
     ASSERT_NE(a.find("scene"), nullptr);
     EXPECT_EQ(*a.find("scene"), "a \"b\".pxm");
     EXPECT_EQ(a.find("y"), nullptr);
+}
+
+TEST(Image, the_names_in_an_exr_are_those_that_other_programs_take) {
+    const test::Folder folder;
+    write_image(folder.path("a.exr"), numbered_frame(), {Aov::word}, {{"scene", "s"}});
+    const LoadedImage a = read_image(folder.path("a.exr"));
+    EXPECT_EQ(a.channels, (std::vector<std::string>{"R", "G", "B", "A", "word.V"}));
+    for (const Aov aov : all_aovs()) {
+        for (const AovChannel& channel : channels_of(aov)) {
+            EXPECT_TRUE(channel.name == "Z" || channel.name.find('.') != std::string::npos);
+            EXPECT_EQ(channel.name.find(':'), std::string::npos);
+        }
+    }
+    const std::string bytes = folder.read("a.exr");
+    EXPECT_NE(bytes.find("pxm_scene"), std::string::npos);
+    EXPECT_EQ(bytes.find("pxm:"), std::string::npos);
 }
 
 TEST(Image, a_miss_is_infinitely_far_in_the_file_too) {
@@ -104,7 +121,7 @@ TEST(Image, colors_beyond_one_are_kept_in_an_exr_and_clipped_in_a_png) {
     frame.pixels[0].color[2] = 0.5F;
     write_image(folder.path("a.exr"), frame, {}, {});
     write_image(folder.path("a.png"), frame, {}, {});
-    EXPECT_EQ(read_image(folder.path("a.exr")).values, (std::vector<float>{4, -1, 0.5F}));
+    EXPECT_EQ(read_image(folder.path("a.exr")).values, (std::vector<float>{4, -1, 0.5F, 1}));
     EXPECT_EQ(read_image(folder.path("a.png")).values, (std::vector<float>{1, 0, 188 / 255.0F}));
 }
 

@@ -16,6 +16,7 @@ using namespace host;
 
 Statistics statistics_of(const std::string& name, const CoversChoice& covers) {
     RenderRequest request;
+    request.allowed = {source_dir + "/scenes"};
     request.scene_path = source_dir + "/scenes/exhibition/" + name + ".pxm";
     request.machine = find_model("964dX");
     request.overrides.size = host::PixelSize{24, 16};

@@ -2,12 +2,14 @@
 // can do wrong, and what textures take of the machine.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "host/render/module_table.hpp"
+#include "host/scene/limits.hpp"
 #include "host/scene/parser.hpp"
 #include "tests/support/floor_node.hpp"
 #include "tests/support/folder.hpp"
@@ -302,12 +304,37 @@ TEST(TextureFile, in_two_planes_is_kept_once) {
 TEST(TextureFile, of_grey_is_grey_and_sRGB_is_decoded) {
     const Folder folder;
     folder.write("grey.pgm", std::string("P5 1 1 255\n") + '\x80');
-    const LinearPicture picture = read_linear_picture(folder.path("grey.pgm"));
+    ImageReader reader(folder.path("grey.pgm"), kept_image);
+    const LinearPicture picture = read_linear_picture(reader);
     EXPECT_NEAR(picture.pixels.at(0)[0], 0.2158605, 1e-6);
     EXPECT_EQ(picture.pixels.at(0)[0], picture.pixels.at(0)[2]);
     for (float x = 0; x <= 1; x += 0.03125F) {
         EXPECT_NEAR(linear_from_srgb(srgb_from_linear(x)), x, 1e-6);
     }
+}
+
+TEST(TextureFile, of_a_pipe_is_refused_and_not_waited_for) {
+    const Folder folder;
+    ASSERT_EQ(mkfifo(folder.path("f.png").c_str(), 0666), 0);
+    folder.write("scene.pxm",
+                 "texture t { file: \"f.png\" } plane { normal: 0,1,0 texture: t }\n"
+                 "image { size: 4,4 }");
+    EXPECT_EQ(error_of(folder.path("scene.pxm")),
+              fmt::format("4: {}:1:19: texture \"t\": cannot read {}: not a regular file",
+                          folder.path("scene.pxm"), folder.path("f.png")));
+}
+
+TEST(TextureFile, there_are_so_many_of_them_at_most) {
+    const Folder folder;
+    test::write_picture(folder.path("t.png"), 1, 1, [](long, long) { return glm::dvec3{0.5}; });
+    std::string text = "image { size: 4,4 }\n";
+    for (std::size_t i = 0; i <= pictures_a_scene; ++i)
+        text += fmt::format(
+            "texture t{0} {{ file: \"t.png\" }} plane {{ normal: 0,1,0 texture: t{0} }}\n", i);
+    folder.write("scene.pxm", text);
+    EXPECT_EQ(error_of(folder.path("scene.pxm")),
+              fmt::format("3: {}:258:22: texture \"t256\": a scene has at most 256 pictures",
+                          folder.path("scene.pxm")));
 }
 
 TEST(TextureMemory, that_is_too_small_is_a_fault_of_the_machine_only) {

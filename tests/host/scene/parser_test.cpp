@@ -1,12 +1,15 @@
 // Laws of host/scene/parser: what each directive means.
 #include "host/scene/parser.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "host/scene/limits.hpp"
 #include "tests/host/scene/scene_text.hpp"
+#include "tests/support/folder.hpp"
 
 namespace pxm::host {
 namespace {
@@ -199,6 +202,41 @@ TEST(Parser, a_missing_include_is_a_scene_error_and_a_missing_scene_a_file_error
             EXPECT_EQ(error.code(), ExitCode::file) << error.what();
         }
     }
+}
+
+TEST(Parser, a_scene_names_files_below_its_folder_only) {
+    const test::Folder folder;
+    std::filesystem::create_directory(folder.path("scenes"));
+    folder.write("part.pxm", "ifs a { newmap scale: 0.5 }");
+    folder.write("scenes/a.pxm", "include: \"../part.pxm\"\ntexture t { file: \"../t.png\" }");
+    const std::string scene = folder.path("scenes/a.pxm");
+    const auto messages = [&](const std::vector<std::string>& allowed) {
+        Diagnostics diagnostics;
+        const Scene read = parse_scene(scene, diagnostics, allowed);
+        return diagnostics.text(read.files);
+    };
+    const std::string why =
+        fmt::format("lies outside the scene's folder; if you trust the scene, add --allow {}",
+                    std::filesystem::canonical(folder.path()).string());
+    EXPECT_EQ(messages({}),
+              fmt::format("{0}:1:10: error: cannot include \"../part.pxm\": {1}: {2}\n"
+                          "    include: \"../part.pxm\"\n             ^\n"
+                          "{0}:2:19: error: texture \"t\": {3}: {2}\n"
+                          "    texture t {{ file: \"../t.png\" }}\n                      ^",
+                          scene, folder.path("part.pxm"), why, folder.path("scenes/../t.png")));
+    EXPECT_EQ(messages({folder.path()}), "") << "no plane shows the texture: it need not be there";
+}
+
+TEST(Parser, a_scene_has_so_many_files_at_most) {
+    test::Files files;
+    std::string text;
+    for (std::size_t i = 0; i < files_a_scene; ++i) {
+        files[std::to_string(i)] = "";
+        text += fmt::format("include: \"{}\"\n", i);
+    }
+    const std::string messages = parse_messages(text + "ifs a { newmap scale: 0.5 }", files);
+    EXPECT_TRUE(messages.starts_with("s.pxm:1000:10: error: the scene has more than 1000 files"))
+        << messages;
 }
 
 TEST(Parser, a_scene_is_read_from_the_file_system) {

@@ -1,0 +1,25 @@
+// The sizes that an OpenEXR file claims, read before the library sees the file: it sets memory
+// aside for lines and tiles as soon as it opens one.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/files/regular_file.hpp"
+
+namespace pxm::host {
+
+/// Of one part. Nothing here was checked.
+struct ExrSizes {
+    std::int64_t width = 0;  // of the data window
+    std::int64_t height = 0;
+    std::int64_t channels = 0;
+    std::int64_t tile_width = 0;  // 0: lines
+    std::int64_t tile_height = 0;
+};
+
+/// The largest of each over a file's parts. Throws Error(ExitCode::file) with "PATH: why" if the
+/// header is not one.
+[[nodiscard]] ExrSizes largest_exr_sizes(const RegularFile& file);
+
+}  // namespace pxm::host
