@@ -77,6 +77,18 @@ std::vector<Player> make_players(const Scene& scene, std::uint64_t seed, Diagnos
     return players;
 }
 
+/// What the first points of each object say of all; a copy of its game draws them.
+CoordinateNumber number_for_players(const std::vector<Player>& players) {
+    constexpr int looked_at = 4096;
+    std::vector<CloudExtent> extents;
+    for (Player player : players) {
+        CloudExtent& extent = extents.emplace_back();
+        for (int i = 0; i < looked_at; ++i)
+            extent.add(player.instance.point(player.game.next().place));
+    }
+    return number_for(extents);
+}
+
 /// False if a signal came.
 bool draw_points(std::vector<Player>& players, std::uint64_t count, PlyWriter& file,
                  Progress& progress) {
@@ -115,7 +127,8 @@ ExitCode run_points(const PointsArguments& arguments) {
         write_safely(arguments.out, [&](CheckedFile& output) {
             Progress progress(arguments.quiet);
             PlyWriter file(output, arguments.count,
-                           "pxm " PXM_VERSION " points of " + arguments.scene);
+                           "pxm " PXM_VERSION " points of " + arguments.scene,
+                           number_for_players(players));
             if (!draw_points(players, arguments.count, file, progress)) throw Stopped{};
             file.finish();
         });
@@ -134,7 +147,11 @@ CommandAction add_points_command(CLI::App& app) {
     command->add_option("-n,--count", a->count, "How many points")
         ->required()
         ->transform(whole_number(1, 1'000'000'000'000));
-    command->add_option("-o,--out", a->out, "The point cloud, binary PLY")->required();
+    command
+        ->add_option("-o,--out", a->out,
+                     "The point cloud, binary PLY; its coordinates are doubles where "
+                     "floats would not keep the shape, as far from the origin")
+        ->required();
     command->add_option("--seed", a->seed, "Another seed gives other points (default 1)")
         ->transform(any_whole_number());
     add_set_option(*command, a->set);

@@ -7,15 +7,18 @@
 #include <vector>
 
 #include "host/output/checked_file.hpp"
+#include "host/output/cloud_extent.hpp"
 
 namespace pxm::host {
 
-/// Writes `count` points: x y z as 32-bit floats, red green blue as bytes (sRGB), little endian.
+/// Writes `count` points: x y z as floats of 32 bits or of 64, red green blue as bytes (sRGB),
+/// little endian.
 class PlyWriter {
   public:
     /// `file` must outlive it; of the comment one line is taken, as it can be shown. Throws
     /// Error(ExitCode::file), as do the other functions.
-    PlyWriter(CheckedFile& file, std::uint64_t count, const std::string& comment);
+    PlyWriter(CheckedFile& file, std::uint64_t count, const std::string& comment,
+              CoordinateNumber number);
 
     /// `color` is linear, 0..1.
     void add(const glm::dvec3& place, const glm::dvec3& color);
@@ -26,6 +29,7 @@ class PlyWriter {
     void flush();
 
     CheckedFile& file_;
+    CoordinateNumber number_;
     std::vector<char> buffer_;
 };
 

@@ -1,8 +1,10 @@
 // Laws of `pxm points`.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
+#include <set>
 #include <string>
 
 #include "tests/support/command.hpp"
@@ -67,6 +69,53 @@ TEST_F(Points, every_object_has_its_share) {
         left += is_left;
     }
     EXPECT_TRUE(left == 3 || left == 4) << left;
+}
+
+/// The gasket with corners at the origin, (1,0,0) and (0,1,0), moved along x.
+std::string moved_gasket(double x) {
+    return fmt::format(
+        "ifs far {{ newmap scale: 1/2 translate: {0}/2,0,0\n"
+        "newmap scale: 1/2 translate: {0}/2+1/2,0,0 newmap scale: 1/2 translate: {0}/2,1/2,0 }}",
+        x);
+}
+
+TEST_F(Points, far_from_the_origin_keep_their_shape) {
+    constexpr std::size_t count = 20'000;
+    for (const double x : {1e4, 1e6, 1e9, 1e45}) {
+        folder.write("far.pxm", moved_gasket(x));
+        expect_done(folder, {"points", "far.pxm", "-n", std::to_string(count), "-o", "far.ply"});
+        const std::string ply = folder.read("far.ply");
+        EXPECT_NE(ply.find("property double x\nproperty double y\nproperty double z\n"),
+                  std::string::npos);
+        const std::string body = body_of(ply);
+        ASSERT_EQ(body.size(), count * 27);
+        if (x > 1e15) continue;  // a double has no place for the shape either, but for x itself
+        std::set<double> places;
+        for (std::size_t i = 0; i < count; ++i) {
+            double xyz[3];
+            std::memcpy(xyz, body.data() + 27 * i, sizeof xyz);
+            places.insert(xyz[0]);
+            ASSERT_GE(xyz[0], x - 1e-5);
+            ASSERT_LE(xyz[0] - x + xyz[1], 1 + 1e-5);
+        }
+        EXPECT_GT(places.size(), count / 2) << "floats near " << x << " have but a few steps";
+    }
+}
+
+TEST_F(Points, near_the_origin_are_floats) {
+    for (const double x : {0.0, 1.0, -20.0}) {
+        folder.write("near.pxm", moved_gasket(x));
+        expect_done(folder, {"points", "near.pxm", "-n", "10", "-o", "near.ply"});
+        EXPECT_EQ(body_of(folder.read("near.ply")).size(), 10U * 15) << x;
+    }
+}
+
+TEST_F(Points, an_object_that_floats_would_spoil_makes_all_of_them_doubles) {
+    folder.write("two.pxm", std::string("ifs s { newmap scale: 0.5 newmap scale: 0.5 translate: "
+                                        "0.5,0,0 }\nobject near { ifs: s scale: 1000 }\n"
+                                        "object far { ifs: s translate: 1000,0,0 }\n"));
+    expect_done(folder, {"points", "two.pxm", "-n", "10", "-o", "two.ply"});
+    EXPECT_EQ(body_of(folder.read("two.ply")).size(), 10U * 27);
 }
 
 TEST_F(Points, mistakes_have_their_codes_and_leave_no_file) {

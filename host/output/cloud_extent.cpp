@@ -1,0 +1,51 @@
+#include "host/output/cloud_extent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+namespace pxm::host {
+
+namespace {
+
+constexpr double steps = 0x1p18;      // across an object
+constexpr double spacing = 0x1p-23;   // of floats, relative: what lies one step further
+constexpr double rounding = 0x1p-45;  // relative: smaller objects are points
+
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+bool floats_keep(const CloudExtent& extent) {
+    using Float = std::numeric_limits<float>;
+    const double far = extent.farthest();
+    if (far == 0) return true;
+    if (!(far <= Float::max()) || far < Float::min() * steps) return false;
+    return extent.size() < rounding * far || extent.size() >= steps * spacing * far;
+}
+
+}  // namespace
+
+void CloudExtent::add(const glm::dvec3& point) {
+    low_ = empty_ ? point : glm::min(low_, point);
+    high_ = empty_ ? point : glm::max(high_, point);
+    empty_ = false;
+}
+
+void CloudExtent::add(const CloudExtent& other) {
+    if (other.empty_) return;
+    add(other.low_);
+    add(other.high_);
+}
+
+double CloudExtent::size() const { return largest(high_ - low_); }
+
+double CloudExtent::farthest() const { return largest(glm::max(glm::abs(low_), glm::abs(high_))); }
+
+CoordinateNumber number_for(const std::vector<CloudExtent>& objects) {
+    CloudExtent all;
+    for (const CloudExtent& object : objects) all.add(object);
+    const bool keep = floats_keep(all) && std::ranges::all_of(objects, floats_keep);
+    return keep ? CoordinateNumber::single : CoordinateNumber::twice;
+}
+
+}  // namespace pxm::host
