@@ -2,9 +2,10 @@
 # openimageio-tools and libopenimageio2.4 2.4.7.1+dfsg-2 (Debian 12).
 #
 # idiff passes two pictures of which one has infinity where the other has a finite number: it prints PASS and exits 0,
-# while a difference of 1 at the same place fails. A good engineer expects the largest difference that there is to fail
-# at any threshold; depth has infinity wherever a ray meets nothing, so a picture that has lost an object there, or has
-# one that should not be, compares as equal.
+# while a difference of 1 at the same place fails. It forgives the first such value of a comparison; with a second one
+# it fails, and says that one pixel differs. A good engineer expects the largest difference that there is to fail at any
+# threshold, and each to be counted; depth has infinity wherever a ray meets nothing, so pictures whose outlines differ
+# in one pixel compare as equal.
 #
 # For a program: compare what is hit and what is not before the numbers (`pxm compare` does), and do not take idiff's
 # PASS for more than that the finite pixels agree.
@@ -12,6 +13,8 @@
 # Seen on 2026-11-30:
 #   1 2 3 inf against 1 2 3 4                                    0 PASS
 #   1 2 3 5 against 1 2 3 4                                      2 FAILURE
+#   1 2 inf inf against 1 2 3 4                                  2 FAILURE
+#   pixels that it counts there                                  1
 #   holds
 # shellcheck source=findings/packages.sh
 source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
@@ -41,11 +44,12 @@ def exr(path, channel, kind, values):
     open(path, "wb").write(head + line)
 
 
-for path, last in zip(sys.argv[1:], (float("inf"), 4, 5)):
-    exr(path, "Z", 2, [1, 2, 3, last])
+infinity = float("inf")
+for path, last in zip(sys.argv[1:], ((3, infinity), (3, 4), (3, 5), (infinity, infinity))):
+    exr(path, "Z", 2, [1, 2, *last])
 PY
 
-python3 "$work/exr.py" "$work/infinite.exr" "$work/finite.exr" "$work/off.exr"
+python3 "$work/exr.py" "$work/infinite.exr" "$work/finite.exr" "$work/off.exr" "$work/two.exr"
 # The exit code and the last word.
 verdict() {
     local code=0
@@ -55,4 +59,6 @@ verdict() {
 
 same "1 2 3 inf against 1 2 3 4" "$(verdict infinite)" "0 PASS"
 same "1 2 3 5 against 1 2 3 4" "$(verdict off)" "2 FAILURE"
+same "1 2 inf inf against 1 2 3 4" "$(verdict two)" "2 FAILURE"
+same "pixels that it counts there" "$(awk '/pixels .* over/ { print $1; exit }' "$work/said")" 1
 holds
