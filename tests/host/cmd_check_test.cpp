@@ -139,7 +139,7 @@ TEST_F(CheckCommand, the_examples_of_set_in_the_documents_are_right) {
         std::istringstream words(line.substr(4));
         Arguments arguments;
         for (std::string word; words >> word;)
-            arguments.push_back(word.starts_with("scenes/") ? source_dir + "/" + word : word);
+            arguments.push_back(word.starts_with("scenes") ? source_dir + "/" + word : word);
         told({arguments.begin() + 1, arguments.end()}, 0, {});
     }
     EXPECT_EQ(examples, 3);
