@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include "host/error.hpp"
+#include "host/files/image_format.hpp"
+#include "host/files/regular_file.hpp"
 #include "host/import/fractint_ifs.hpp"
 #include "host/import/fractint_l.hpp"
 #include "host/import/imported_scene.hpp"
@@ -164,6 +166,22 @@ Imported import_picture(const ImportRequest& request, const Picture& picture) {
     return imported;
 }
 
+/// A file that can be read and is nothing that is imported is wrong by its content. Other dialects
+/// of iterated function systems are text, as no picture is.
+void require_picture(const std::string& path, const std::string& extension) {
+    const std::string name = printable(path, longest_name);
+    if (same_word(extension, ".pxm"))
+        throw Error(ExitCode::scene,
+                    fmt::format("{} is a scene already: pxm render {}", name, name));
+    const RegularFile file(path);
+    if (!found_format(file.read(0, image_head_bytes)).name.empty()) return;
+    throw Error(
+        ExitCode::scene,
+        fmt::format("{} is no format that pxm imports: FRACTINT's .ifs and .l, points (.xy, "
+                    ".txt), or a picture (PNG, JPEG, OpenEXR, TIFF, PNM)",
+                    name));
+}
+
 }  // namespace
 
 Imported import_fractint(const SourceFile& source, FractintFormat format,
@@ -183,6 +201,7 @@ Imported import_file(const ImportRequest& request) {
         return import_fractint({path, read_file(path)}, FractintFormat::l, request.entry);
     if (same_word(extension, ".xy") || same_word(extension, ".txt"))
         return import_picture(request, read_points(path, read_file(path)));
+    require_picture(path, extension);
     // The image is let go before the search: its points are all that is kept.
     const Picture picture = picture_of(read_image(path, {"R", "G", "B", "A", "Y"}));
     return import_picture(request, picture);

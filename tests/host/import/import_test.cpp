@@ -120,6 +120,26 @@ TEST(Import, names_become_names_of_the_scene_language) {
     EXPECT_EQ(scene_name(""), "imported");
 }
 
+TEST(Import, what_is_none_of_its_formats_is_told_them) {
+    const auto refusal = [](const std::string& path) {
+        ImportRequest request;
+        request.path = path;
+        try {
+            (void)import_file(request);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::scene);
+            return std::string(error.what());
+        }
+        return std::string("it was imported");
+    };
+    const std::string readme = pxm::test::source_dir + "/README.md";
+    EXPECT_EQ(refusal(readme), readme +
+                                   " is no format that pxm imports: FRACTINT's .ifs and .l, points "
+                                   "(.xy, .txt), or a picture (PNG, JPEG, OpenEXR, TIFF, PNM)");
+    const std::string scene = pxm::test::source_dir + "/scenes/tetra.pxm";
+    EXPECT_EQ(refusal(scene), scene + " is a scene already: pxm render " + scene);
+}
+
 TEST(Import, numbers_alone_are_named_after_their_file) {
     const std::string numbers = ".5 0 0 .5 0 0 .5\n.5 0 0 .5 1 0 .5\n";
     EXPECT_EQ(import_fractint({"of/1988 set.ifs", numbers}, FractintFormat::ifs, {}).name,
