@@ -84,6 +84,7 @@ TEST(Format, the_scenes_that_come_with_pxm_are_formatted) {
         ++scenes;
         SCOPED_TRACE(entry.path().string());
         const std::string text = test::text_of(entry.path());
+        EXPECT_EQ(format_scene(text), text);
         expect_same_and_settled(text);
         Diagnostics diagnostics;
         const Scene scene = parse_text(entry.path(), text, diagnostics);
