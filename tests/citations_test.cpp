@@ -226,7 +226,9 @@ Files files_of_the_tree() {
          {"pxm", "dsp_kernels", "host", "tests", "bench", "docs", "scenes", "findings", "cmake"}) {
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_dir) / top)) {
             const std::string path = fs::relative(entry.path(), source_dir).generic_string();
-            if (kinds.contains(entry.path().extension()) && path != "tests/citations_test.cpp")
+            const bool ours = path.find("/node_modules/") == std::string::npos;
+            if (ours && kinds.contains(entry.path().extension()) &&
+                path != "tests/citations_test.cpp")
                 files[path] = text_of(entry.path());
         }
     }

@@ -130,6 +130,7 @@ TEST_F(Tools, a_build_that_stopped_goes_on_where_it_was) {
               "buildPresets": [{"name": "user", "configurePreset": "user"}]})");
     write(root_ / "CMakeLists.txt", R"(cmake_minimum_required(VERSION 3.25)
 project(steps NONE)
+file(GLOB sources CONFIGURE_DEPENDS host/*.cpp)
 set(top ${CMAKE_SOURCE_DIR})
 add_custom_command(OUTPUT one COMMAND echo one >> ${top}/done COMMAND touch one)
 add_custom_command(OUTPUT two DEPENDS one COMMAND test -e ${top}/mended COMMAND touch two)
