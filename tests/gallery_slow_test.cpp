@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The words of a command, small: its size, window and number of samples are left out.
+/// The words of a command, small: its size, window and number of samples are left out. What is a
+/// path from the top of the tree is given whole.
 Arguments small(const std::string& command) {
     std::istringstream words(command);
     Arguments arguments;
@@ -28,7 +29,7 @@ Arguments small(const std::string& command) {
             arguments.push_back(word);
     }
     for (std::string& word : arguments)
-        if (word.ends_with(".pxm")) word = source_dir + "/" + word;
+        if (fs::exists(fs::path(source_dir) / word)) word = source_dir + "/" + word;
     arguments.insert(arguments.end(), {"--size", "12x10", "--samples", "1", "-o", "out.png"});
     return arguments;
 }
