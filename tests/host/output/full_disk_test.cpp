@@ -94,6 +94,8 @@ TEST(FullDisk, equal_pictures_are_equal_files_in_every_format) {
     const Folder folder;
     const Frame frame = noise(24, 16);
     for (const std::string& format : formats) {
+        // OpenImageIO's writer of SGI leaves bytes of the header as they were in memory.
+        if (format == "sgi") continue;
         const std::string name = "a." + format;
         write_in_bands(folder.path(name), frame);
         const std::string first = folder.read(name);
