@@ -175,19 +175,12 @@ void ImageReader::File::open(const ImageLimits& wanted) {
     proxy =
         std::make_unique<OIIO::Filesystem::IOFile>(stream.get(), OIIO::Filesystem::IOProxy::Read);
     input = OIIO::ImageInput::create(reader_name(format));
-    if (!input) {
-        const std::string told = OIIO::geterror();
-        throw Refusal{sentence_of(told)};
-    }
+    if (!input) throw Refusal{sentence_of(OIIO::geterror())};
     OIIO::ImageSpec spec;
     OIIO::attribute("exr_threads", -1);  // none: each would have buffers of its own
     const bool opened = input->set_ioproxy(proxy.get()) && input->open(path, spec);
     OIIO::attribute("exr_threads", 0);  // the default again, for pictures that are written
-    if (!opened) {
-        // Named: g++ 12 forgets a temporary string within a thrown aggregate.
-        const std::string told = input->geterror();
-        throw Refusal{sentence_of(told)};
-    }
+    if (!opened) throw Refusal{sentence_of(input->geterror())};
     require_understood(spec);
     require_within(limits, sizes_of(spec));
     header = header_of(spec);
@@ -209,10 +202,7 @@ void ImageReader::File::read_band() {
                                 spec.nchannels, OIIO::TypeDesc::FLOAT, band.data())
             : input->read_scanlines(0, 0, from, to, spec.z, 0, spec.nchannels,
                                     OIIO::TypeDesc::FLOAT, band.data());
-    if (!done) {
-        const std::string told = input->geterror();
-        refuse(sentence_of(told));
-    }
+    if (!done) refuse(sentence_of(input->geterror()));
     known = end;
 }
 
