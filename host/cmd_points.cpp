@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "host/cmd.hpp"
+#include "host/compile/proven_rifs.hpp"
 #include "host/fractal/chaos_game.hpp"
 #include "host/fractal/default_weights.hpp"
-#include "host/fractal/proven_rifs.hpp"
 #include "host/interrupt.hpp"
 #include "host/option_checks.hpp"
 #include "host/output/ply.hpp"

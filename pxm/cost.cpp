@@ -66,6 +66,8 @@ const CostTable& default_cost_table() noexcept {
     return table;
 }
 
+CostModel default_cost_model() { return {"default", default_cost_table()}; }
+
 std::uint64_t cycles(const Tally& tally, const CostTable& table) noexcept {
     return sum(tally, table, [](Operation) { return true; });
 }

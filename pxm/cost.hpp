@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "pxm/model.hpp"
@@ -50,6 +51,14 @@ struct CostTable {
 
 /// The table of default_cost_entries().
 [[nodiscard]] const CostTable& default_cost_table() noexcept;
+
+/// A cost table and where it is from: "default", or a file's path.
+struct CostModel {
+    std::string name;
+    CostTable table;
+};
+
+[[nodiscard]] CostModel default_cost_model();
 
 /// Cycles (200 ns each) that a tally stands for, rounded to the nearest whole cycle.
 [[nodiscard]] std::uint64_t cycles(const Tally& tally, const CostTable& table) noexcept;

@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "host/fractal/affine.hpp"
-#include "host/scene/diagnostics.hpp"
-#include "host/scene/scene.hpp"
 
 namespace pxm::host {
 
@@ -27,12 +25,6 @@ struct Rifs {
     std::vector<int> follow_of;          // per map: the follow set of what may stand inside it
     int start = 0;                       // the follow set of the outermost maps
 };
-
-/// Builds the system of an ifs block: resolves names, shares follow sets, and finds the start maps
-/// (strongly connected components of in-degree zero, Sec. 7.2.2, unless the block says `start:`).
-/// Unknown names, maps that nothing may follow and an ifs without maps are errors; maps that no
-/// start map leads to are warnings. The result is usable only if no error was added.
-[[nodiscard]] Rifs build_rifs(const IfsBlock& block, Diagnostics& diagnostics);
 
 /// What messages call a map: `map "stem"`, or `map 3` where the scene gives no name.
 [[nodiscard]] std::string spoken_name(const Rifs& rifs, int map);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/compile/build_rifs.hpp"
 #include "host/error.hpp"
 #include "host/fractal/bounds.hpp"
 #include "host/scene/check.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ios>
 
+#include "host/compile/build_rifs.hpp"
 #include "host/error.hpp"
 #include "host/fractal/lipschitz.hpp"
 #include "host/fractal/rifs.hpp"

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "host/compile/proven_rifs.hpp"
+#include "host/compile/short_by.hpp"
 #include "host/fractal/affine_hull.hpp"
 #include "host/fractal/inner_points.hpp"
-#include "host/fractal/proven_rifs.hpp"
 #include "host/fractal/rifs.hpp"
-#include "host/fractal/short_by.hpp"
 #include "host/render/volumes.hpp"
 #include "host/scene/default_objects.hpp"
 

@@ -94,8 +94,6 @@ std::string read_file(const std::string& path) {
 
 }  // namespace
 
-CostModel default_cost_model() { return {"default", default_cost_table()}; }
-
 CostModel parse_cost_model(const std::string& text, const std::string& path) {
     const Reader reader(path);
     Json json;

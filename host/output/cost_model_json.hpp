@@ -1,4 +1,4 @@
-// Cost models of the machine: the default one, or one from a JSON file (docs/machine.md, "Counted
+// Cost models of the machine from JSON files (docs/machine.md, "Counted
 // time").
 #pragma once
 
@@ -7,14 +7,6 @@
 #include "pxm/cost.hpp"
 
 namespace pxm::host {
-
-/// A cost table and where it is from: "default", or a file's path.
-struct CostModel {
-    std::string name;
-    CostTable table;
-};
-
-[[nodiscard]] CostModel default_cost_model();
 
 /// Reads a cost model. Throws Error: a file that cannot be read (4); one that is no JSON, or with
 /// an entry that is missing, unknown, negative or not a number (2, naming the entry).

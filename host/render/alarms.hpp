@@ -11,22 +11,6 @@
 
 namespace pxm::host {
 
-/// Bits of PixelRecord::alarms.
-enum PixelAlarm : std::uint8_t {
-    alarm_precision = 1,   // the pixel is few units of the last place wide where it looks
-    alarm_floored = 2,     // p would have to be finer than the numbers allow
-    alarm_capped = 4,      // a ray of it was given up
-    alarm_not_finite = 8,  // its depth, colour or normal is no number
-    alarm_overflow = 16,   // a result on the way to it was beyond the numbers' range
-};
-
-struct Alarm {
-    std::string name;         // in --stats
-    std::uint64_t count = 0;  // pixels, or maps
-    std::string text;         // for the user
-    bool of_pixels = true;    // not of maps
-};
-
 /// Marks the frame's pixels and returns every alarm, also those that count 0.
 [[nodiscard]] std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric,
                                               Frame& frame);

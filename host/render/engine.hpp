@@ -3,12 +3,14 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
-#include "host/output/cost_model_json.hpp"
 #include "host/render/compiled_scene.hpp"
 #include "host/render/frame.hpp"
 #include "host/render/statistics.hpp"
+#include "pxm/cost.hpp"
 #include "pxm/model.hpp"
 
 namespace pxm::host {
@@ -34,22 +36,47 @@ struct RunControl {
 struct EngineResult {
     Frame frame;
     RayStatistics rays;
-    std::uint64_t scene_block_words = 0;
-    std::uint64_t scene_block_hash = 0;
     std::optional<MachineStatistics> machine;
-    double load_seconds = 0;
     double render_seconds = 0;
     bool stopped = false;
 };
 
-/// Broadcasts the scene to the nodes of a simulated machine and runs them. A bank that is too small
-/// is an Error(ExitCode::machine_limit).
+/// A scene in an engine's own form. It is loaded once and run for a window at a time, so that a
+/// picture in bands is not laid out again for each of them.
+class LoadedScene {
+  public:
+    LoadedScene() = default;
+    LoadedScene(const LoadedScene&) = delete;
+    LoadedScene& operator=(const LoadedScene&) = delete;
+    virtual ~LoadedScene() = default;
+
+    /// Renders a window of the image. Precondition: it lies in the image. Throws Error: a bank of
+    /// the machine is too small (5). What a thread throws is thrown again when all have ended.
+    [[nodiscard]] virtual EngineResult run(const CropWindow& window, const RunControl& control) = 0;
+
+    /// The scene as words for nodes (dsp_kernels/scene_block.hpp).
+    [[nodiscard]] const std::vector<std::uint32_t>& block() const { return block_; }
+
+  protected:
+    std::vector<std::uint32_t> block_;
+};
+
+// Each of these keeps a reference to `scene`, which must outlive what is returned.
+
+/// Broadcasts the scene to the nodes of a simulated machine; each run() is of a fresh machine.
+/// Throws Error: a bank is too small (5).
+[[nodiscard]] std::unique_ptr<LoadedScene> load_machine(const CompiledScene& scene,
+                                                        const EngineChoice& choice);
+
+/// The node program on the cores at hand: 8x8 tiles (one pixel of each of the 64 nodes).
+[[nodiscard]] std::unique_ptr<LoadedScene> load_reference(const CompiledScene& scene,
+                                                          const EngineChoice& choice);
+
+/// The whole crop window, loaded for this one run.
 [[nodiscard]] EngineResult run_on_machine(const CompiledScene& scene, const EngineChoice& choice,
                                           const RunControl& control);
-
-/// Renders 8x8 tiles (one pixel of each of the 64 nodes) with OpenMP.
-[[nodiscard]] EngineResult run_natively(const CompiledScene& scene, const EngineChoice& choice,
-                                        const RunControl& control);
+[[nodiscard]] EngineResult run_reference(const CompiledScene& scene, const EngineChoice& choice,
+                                         const RunControl& control);
 
 /// One pixel with everything that happened to cells on its ray, as text (`--pixel x,y`).
 [[nodiscard]] std::string describe_pixel(const CompiledScene& scene, Numeric numeric, long x,

@@ -1,13 +1,31 @@
-// The gathered picture: per pixel the colour and what is known of how it came about.
+// The gathered picture: per pixel the colour, what is known of how it came about, and where its
+// numbers may not be enough (docs/alarms.md).
 #pragma once
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {
+
+/// Bits of PixelRecord::alarms.
+enum PixelAlarm : std::uint8_t {
+    alarm_precision = 1,   // the pixel is few units of the last place wide where it looks
+    alarm_floored = 2,     // p would have to be finer than the numbers allow
+    alarm_capped = 4,      // a ray of it was given up
+    alarm_not_finite = 8,  // its depth, colour or normal is no number
+    alarm_overflow = 16,   // a result on the way to it was beyond the numbers' range
+};
+
+struct Alarm {
+    std::string name;         // in --stats
+    std::uint64_t count = 0;  // pixels, or maps
+    std::string text;         // for the user
+    bool of_pixels = true;    // not of maps
+};
 
 /// One pixel, one line of a cache. Colours are linear. On a miss: z infinite, object and level -1,
 /// word 0, alpha 0.
@@ -23,9 +41,12 @@ struct alignas(64) PixelRecord {
     std::uint64_t cycles = 0;   // instruction cycles of 200 ns; machine only
     std::uint32_t heap = 0;     // most cells in the heap
     std::uint16_t node = 0;     // row * columns + column of the node that owns the pixel
-    std::uint8_t alarms = 0;    // bits of host/render/alarms.hpp
+    std::uint8_t alarms = 0;    // bits of PixelAlarm
 };
 static_assert(sizeof(PixelRecord) == 64);
+
+/// Native renders go by squares of so many pixels a side: one pixel of each node of a 964.
+inline constexpr int tile_side = 8;
 
 /// The pixels of a crop window, row by row.
 struct Frame {

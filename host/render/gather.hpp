@@ -3,7 +3,6 @@
 #pragma once
 
 #include "dsp_kernels/pixel_program.hpp"
-#include "host/render/alarms.hpp"
 #include "host/render/compiled_scene.hpp"
 #include "host/render/frame.hpp"
 #include "host/render/overflow.hpp"

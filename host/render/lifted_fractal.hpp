@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "host/compile/proven_rifs.hpp"
 #include "host/fractal/bounds.hpp"
-#include "host/fractal/proven_rifs.hpp"
 
 namespace pxm::host {
 

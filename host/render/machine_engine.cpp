@@ -1,22 +1,20 @@
 // The machine engine: load and broadcast, run the node program on every node, gather.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
+#include <optional>
 
 #include "host/error.hpp"
 #include "host/render/engine.hpp"
 #include "host/render/gather.hpp"
 #include "host/render/instances.hpp"
+#include "host/render/phase_clock.hpp"
 #include "pxm/cost.hpp"
 #include "pxm/machine.hpp"
 
 namespace pxm::host {
 
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 void refuse(const std::optional<Fault>& fault, const Model& model) {
     if (!fault) return;
@@ -82,72 +80,94 @@ MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistic
 }
 
 template <class Real, kernels::Features features>
-EngineResult run(const CompiledScene& scene, const EngineChoice& choice,
-                 const RunControl& control) {
-    const auto start = std::chrono::steady_clock::now();
-    const Model& model = *choice.machine;
-    EngineResult result;
-    const std::vector<std::uint32_t> block = make_scene_block<Real>(scene);
-    result.scene_block_words = block.size();
-    result.scene_block_hash = block_hash(block);
-    Machine<Real> machine(model);
-    const int width = static_cast<int>(scene.size.columns);
-    refuse(machine.open_frame(width, static_cast<int>(scene.size.rows)), model);
-    refuse(machine.load_program(choice.program_bytes, choice.stack_bytes), model);
-    refuse(machine.broadcast(block), model);
-    refuse(machine.broadcast_textures(scene.texture_words), model);
-    refuse(machine.reserve_heap(static_cast<int>(scene.heap), sizeof(kernels::Cell<Real>)), model);
-    result.frame = Frame(scene.size, scene.crop);
-    result.load_seconds = seconds_since(start);
+class LoadedMachine : public LoadedScene {
+  public:
+    LoadedMachine(const CompiledScene& scene, const EngineChoice& choice)
+        : scene_(scene), choice_(choice) {
+        block_ = make_scene_block<Real>(scene);
+        machine_.emplace(loaded_machine());
+    }
 
-    const auto render_start = std::chrono::steady_clock::now();
-    std::vector<RayStatistics> rays(machine.nodes().size());
-    std::atomic<std::size_t> done = 0;
-    std::atomic<bool> stopped = false;
-    const auto program = [&](Node<Real>& node) {
-        clear_overflow();  // a thread begins with the flags of whoever started it
-        RayStatistics& counts = rays[static_cast<std::size_t>(node.index())];
-        const kernels::PixelShare share = node_share(scene.crop, model, node.id());
-        if (share.x0 >= share.x1 || share.y0 >= share.y1) return;
-        // A pixel's cycles are all that was counted since the pixel before, so they sum up to the
-        // node's; the first pixel carries the start of the program.
-        std::uint64_t cycles_before = 0;
-        kernels::pixel_program<features>(
-            node, share,
-            [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
-                PixelRecord& record = result.frame.at(x, y);
-                gather_pixel(scene, block, pixel, record, counts);
-                record.node = static_cast<std::uint16_t>(node.index());
-                node.write_pixel(
-                    pixel_in_node(model, width, static_cast<int>(x), static_cast<int>(y)),
-                    pack_pixel(record));
-                const std::uint64_t now = cycles(node.tally(), choice.costs.table);
-                record.cycles = now - cycles_before;
-                cycles_before = now;
-                const std::size_t finished = ++done;
-                if (control.progress && finished % 256 == 0) {
-                    control.progress(static_cast<double>(finished) /
-                                     static_cast<double>(result.frame.pixels.size()));
-                }
-                if (control.stop && *control.stop) stopped = true;
-                return !stopped && !node.halted();
-            });
-    };
-    refuse(machine.run(program, choice.threads), model);
-    for (const RayStatistics& counts : rays) result.rays.add(counts);
-    result.machine = collect(machine, rays, choice.costs);
-    result.stopped = stopped;
-    result.render_seconds = seconds_since(render_start);
-    return result;
-}
+    EngineResult run(const CropWindow& window, const RunControl& control) override {
+        // Counts and memories are those of one run, so a further run is of another machine.
+        Machine<Real> machine = machine_ ? std::move(*machine_) : loaded_machine();
+        machine_.reset();
+        PhaseClock clock;
+        const Model& model = *choice_.machine;
+        const int width = static_cast<int>(scene_.size.columns);
+        EngineResult result;
+        result.frame = Frame(scene_.size, window);
+        std::vector<RayStatistics> rays(machine.nodes().size());
+        std::atomic<std::size_t> done = 0;
+        std::atomic<bool> stopped = false;
+        const auto program = [&](Node<Real>& node) {
+            clear_overflow();  // a thread begins with the flags of whoever started it
+            RayStatistics& counts = rays[static_cast<std::size_t>(node.index())];
+            const kernels::PixelShare share = node_share(window, model, node.id());
+            if (share.x0 >= share.x1 || share.y0 >= share.y1) return;
+            // A pixel's cycles are all that was counted since the pixel before, so they sum up to
+            // the node's; the first pixel carries the start of the program.
+            std::uint64_t cycles_before = 0;
+            kernels::pixel_program<features>(
+                node, share,
+                [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
+                    PixelRecord& record = result.frame.at(x, y);
+                    gather_pixel(scene_, block_, pixel, record, counts);
+                    record.node = static_cast<std::uint16_t>(node.index());
+                    node.write_pixel(
+                        pixel_in_node(model, width, static_cast<int>(x), static_cast<int>(y)),
+                        pack_pixel(record));
+                    const std::uint64_t now = cycles(node.tally(), choice_.costs.table);
+                    record.cycles = now - cycles_before;
+                    cycles_before = now;
+                    const std::size_t finished = ++done;
+                    if (control.progress && finished % 256 == 0) {
+                        control.progress(static_cast<double>(finished) /
+                                         static_cast<double>(result.frame.pixels.size()));
+                    }
+                    if (control.stop && *control.stop) stopped = true;
+                    return !stopped && !node.halted();
+                });
+        };
+        refuse(machine.run(program, choice_.threads), model);
+        for (const RayStatistics& counts : rays) result.rays.add(counts);
+        result.machine = collect(machine, rays, choice_.costs);
+        result.stopped = stopped;
+        result.render_seconds = clock.lap();
+        return result;
+    }
+
+  private:
+    [[nodiscard]] Machine<Real> loaded_machine() const {
+        const Model& model = *choice_.machine;
+        Machine<Real> machine(model);
+        refuse(machine.open_frame(static_cast<int>(scene_.size.columns),
+                                  static_cast<int>(scene_.size.rows)),
+               model);
+        refuse(machine.load_program(choice_.program_bytes, choice_.stack_bytes), model);
+        refuse(machine.broadcast(block_), model);
+        refuse(machine.broadcast_textures(scene_.texture_words), model);
+        refuse(machine.reserve_heap(static_cast<int>(scene_.heap), sizeof(kernels::Cell<Real>)),
+               model);
+        return machine;
+    }
+
+    const CompiledScene& scene_;
+    EngineChoice choice_;
+    std::optional<Machine<Real>> machine_;
+};
 
 }  // namespace
 
+std::unique_ptr<LoadedScene> load_machine(const CompiledScene& scene, const EngineChoice& choice) {
+    return with_instance(scene, choice.numeric, [&]<class Real, kernels::Features features>() {
+        return std::unique_ptr<LoadedScene>(new LoadedMachine<Real, features>(scene, choice));
+    });
+}
+
 EngineResult run_on_machine(const CompiledScene& scene, const EngineChoice& choice,
                             const RunControl& control) {
-    return with_instance(scene, choice.numeric, [&]<class Real, kernels::Features features>() {
-        return run<Real, features>(scene, choice, control);
-    });
+    return load_machine(scene, choice)->run(scene.crop, control);
 }
 
 }  // namespace pxm::host

@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "host/fractal/affine.hpp"
-#include "host/scene/scene.hpp"
+#include "host/math/decimal.hpp"
 
 namespace pxm::host {
 

@@ -9,11 +9,14 @@
 
 #include "host/error.hpp"
 #include "host/output/spared_inputs.hpp"
+#include "host/render/alarms.hpp"
 #include "host/render/link.hpp"
 #include "host/render/overflow.hpp"
 #include "host/render/phase_clock.hpp"
 #include "host/render/prepare.hpp"
+#include "host/render/scene_block.hpp"
 #include "host/scene/words.hpp"
+#include "host/wide/wide_engine.hpp"
 
 namespace pxm::host {
 
@@ -64,10 +67,7 @@ void add_run(RenderResult& result, const CompiledScene& scene, Numeric numeric, 
     result.frame = std::move(run.frame);
     add_pixels(statistics.alarms, raise_alarms(scene, numeric, result.frame));
     statistics.rays.add(run.rays);
-    statistics.scene_block_words = run.scene_block_words;
-    statistics.scene_block_hash = run.scene_block_hash;
     statistics.machine = std::move(run.machine);
-    statistics.seconds.load += run.load_seconds;
     statistics.seconds.render += run.render_seconds;
 }
 
@@ -82,12 +82,11 @@ std::string warnings_about(const RayStatistics& rays, std::uint32_t cell_cap) {
 /// The window in bands of whole rows of tiles, each at most so large as a frame in memory.
 std::vector<CropWindow> bands_of(const CropWindow& window) {
     constexpr long most_bytes = 128L << 20;
-    constexpr long tile_rows = 8;
     const long row_bytes = (window.x1 - window.x0) * static_cast<long>(sizeof(PixelRecord));
-    const long rows = std::max(tile_rows, most_bytes / row_bytes / tile_rows * tile_rows);
+    const long rows = std::max<long>(tile_side, most_bytes / row_bytes / tile_side * tile_side);
     std::vector<CropWindow> bands;
     for (long top = window.y0; top < window.y1;) {
-        const long bottom = std::min(window.y1, (top / tile_rows) * tile_rows + rows);
+        const long bottom = std::min(window.y1, (top / tile_side) * tile_side + rows);
         bands.push_back({window.x0, top, window.x1, bottom});
         top = bottom;
     }
@@ -106,9 +105,15 @@ RunControl control_of_part(const RunControl& control, std::size_t part, std::siz
 
 }  // namespace
 
+std::unique_ptr<LoadedScene> load(const CompiledScene& scene, const EngineChoice& choice) {
+    if (choice.machine) return load_machine(scene, choice);
+    if (choice.intersect == IntersectMethod::wide) return wide::load_wide(scene, choice);
+    return load_reference(scene, choice);
+}
+
 RenderResult render(const RenderRequest& request, const RunControl& control, const TakeBand& take) {
     PhaseClock clock;
-    Prepared prepared = prepare(request);
+    const Prepared prepared = prepare(request);
     require_spared(request.outputs, inputs_of(prepared.scene));
     const NodeProgram program = link(prepared.compiled);
     if (request.machine) require_fit(program, std::string(request.machine->name));
@@ -123,15 +128,16 @@ RenderResult render(const RenderRequest& request, const RunControl& control, con
         intersect.method == IntersectMethod::wide ? Numeric::twice : choice.numeric;
     RenderResult result = begin_result(request, prepared, choice, program);
     result.statistics.intersect_because = intersect.because;
-    const std::vector<CropWindow> bands = take && !request.machine
-                                              ? bands_of(prepared.compiled.crop)
-                                              : std::vector{prepared.compiled.crop};
+    PhaseClock load_clock;
+    const std::unique_ptr<LoadedScene> loaded = load(prepared.compiled, choice);
+    result.statistics.seconds.load = load_clock.lap();
+    result.statistics.scene_block_words = loaded->block().size();
+    result.statistics.scene_block_hash = block_hash(loaded->block());
+    const std::vector<CropWindow> bands =
+        take && !request.machine ? bands_of(result.window) : std::vector{result.window};
     for (std::size_t i = 0; i < bands.size() && !result.stopped; ++i) {
-        prepared.compiled.crop = bands[i];
-        const RunControl part = control_of_part(control, i, bands.size());
         add_run(result, prepared.compiled, places,
-                request.machine ? run_on_machine(prepared.compiled, choice, part)
-                                : run_natively(prepared.compiled, choice, part));
+                loaded->run(bands[i], control_of_part(control, i, bands.size())));
         if (take && !result.stopped) take(result);
     }
     result.warnings += warnings_about(result.statistics.rays, prepared.compiled.cell_cap);

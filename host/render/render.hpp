@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +57,11 @@ struct RenderResult {
     double pixel_at_eye = 0;  // p(t) = pixel_at_eye + pixel_growth t, world units (Eq. 15.2)
     double pixel_growth = 0;
 };
+
+/// The scene in the engine that was chosen: the one place that knows all three. Keeps a reference
+/// to `scene`. Throws Error: a bank of the machine is too small (5).
+[[nodiscard]] std::unique_ptr<LoadedScene> load(const CompiledScene& scene,
+                                                const EngineChoice& choice);
 
 /// Takes the frame of a result: the next rows of the window from the top. All but the counts of
 /// what is still to come is known.

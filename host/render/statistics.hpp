@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "host/output/cost_model_json.hpp"
-#include "host/render/alarms.hpp"
+#include "host/render/frame.hpp"
 #include "host/render/link.hpp"
 #include "host/scene/scene.hpp"
+#include "pxm/cost.hpp"
 
 namespace pxm::host {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
+#include "host/compile/short_by.hpp"
 #include "host/fractal/lipschitz.hpp"
-#include "host/fractal/short_by.hpp"
 #include "host/render/bounding_volume.hpp"
 #include "host/render/computed_volume.hpp"
 #include "host/render/filled_volume.hpp"

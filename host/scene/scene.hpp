@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "host/fractal/affine.hpp"
+#include "host/math/decimal.hpp"
 
 namespace pxm::host {
 
@@ -32,14 +33,6 @@ struct SourceFile {
     std::string name;
     std::string text;
 };
-
-/// A number with its exact text: deep zooms need more digits than a double holds.
-struct Decimal {
-    double value = 0;
-    std::string text;  // as written; empty if it was computed by an expression
-    bool operator==(const Decimal& other) const { return value == other.value; }
-};
-using DecimalVec3 = std::array<Decimal, 3>;
 
 // --- commands of a map or an object; each post-multiplies in the order written -------------------
 struct ScaleCommand {

@@ -12,10 +12,10 @@
 #include <span>
 
 #include "host/render/compiled_scene.hpp"
+#include "host/render/frame.hpp"
 
 namespace pxm::host::wide {
 
-inline constexpr int tile_side = 8;
 inline constexpr int bundle_rays = tile_side * tile_side;
 
 /// Which aspect (host/wide/aspect.hpp) the rays are seen in: one of their own, or one that they

@@ -11,7 +11,7 @@ namespace pxm::host::wide {
 
 void TileTracer::render_plainly() {
     place_ = scene_.samples[0];
-    aim_at_tile(work_.bundle, scene_.camera, scene_.crop, left_, top_, place_);
+    aim_at_tile(work_.bundle, scene_.camera, frame_.crop, left_, top_, place_);
     const std::uint64_t inside = work_.bundle.inside;  // shadows are a bundle of their own
     const auto objects = static_cast<std::uint32_t>(wide_.objects.size());
     if (!search_bundle(wide_, work_)) {

@@ -44,7 +44,7 @@ TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide, const 
     prepare_places();
 }
 
-void TileTracer::render(long left, long top) {
+void TileTracer::render(long left, long top, const GoOn& go_on) {
     left_ = left;
     top_ = top;
     unclear_ = 0;
@@ -52,6 +52,7 @@ void TileTracer::render(long left, long top) {
     if (is_plain_) return render_plainly();
     sums_.fill(PixelSum{});
     for (std::size_t sample = 0; sample < scene_.samples.size(); ++sample) {
+        if (!go_on()) return;
         aim(sample);
         look(sample == 0 ? Kind::first_sample : Kind::sample);
         while (!pending_.empty()) look_into_mirrors();
@@ -66,7 +67,7 @@ RayStatistics TileTracer::finish() {
 
 void TileTracer::aim(std::size_t sample) {
     place_ = scene_.samples[sample];
-    aim_at_tile(work_.bundle, scene_.camera, scene_.crop, left_, top_, place_);
+    aim_at_tile(work_.bundle, scene_.camera, frame_.crop, left_, top_, place_);
     work_.bundle.inside &= ~unclear_;
     const double share = 1.0 / static_cast<double>(scene_.samples.size());
     for_bits(work_.bundle.inside, [&](int pixel) {
@@ -254,7 +255,7 @@ void TileTracer::see_plane(Kind kind, int i) {
 }
 
 void TileTracer::store() {
-    aim_at_tile(work_.bundle, scene_.camera, scene_.crop, left_, top_, scene_.samples[0]);
+    aim_at_tile(work_.bundle, scene_.camera, frame_.crop, left_, top_, scene_.samples[0]);
     for_bits(work_.bundle.inside, [&](int i) {
         const PixelSum& sum = sums_[static_cast<std::size_t>(i)];
         if ((unclear_ >> i & 1) != 0) return render_clearly(i, sum.tested);

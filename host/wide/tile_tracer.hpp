@@ -17,6 +17,7 @@
 #include "host/render/frame.hpp"
 #include "host/render/native_node.hpp"
 #include "host/render/statistics.hpp"
+#include "host/render/tiles.hpp"
 #include "host/wide/beam_search.hpp"
 #include "host/wide/bundle_search.hpp"
 #include "host/wide/clear_rest.hpp"
@@ -36,8 +37,8 @@ class TileTracer {
     TileTracer(const CompiledScene& scene, const WideScene& wide, const ClearRest& rest,
                const std::vector<std::uint32_t>& block, Frame& frame);
 
-    /// Renders those of the tile's pixels that lie in the crop window.
-    void render(long left, long top);
+    /// Renders those of the tile's pixels that lie in the frame.
+    void render(long left, long top, const GoOn& go_on);
 
     /// After the last tile: all pixels are in memory. What their rays added up to.
     [[nodiscard]] RayStatistics finish();

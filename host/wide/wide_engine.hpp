@@ -6,7 +6,11 @@
 
 namespace pxm::host::wide {
 
-/// Renders 8x8 tiles with OpenMP. Precondition: why_not_wide(scene) is empty.
+/// Precondition: why_not_wide(scene) is empty. Keeps a reference to `scene`.
+[[nodiscard]] std::unique_ptr<LoadedScene> load_wide(const CompiledScene& scene,
+                                                     const EngineChoice& choice);
+
+/// The whole crop window, loaded for this one run.
 [[nodiscard]] EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
                                     const RunControl& control);
 

@@ -24,7 +24,7 @@ CompiledScene compile_text(const std::string& text, double zoom, NearCells near_
 }
 
 EngineResult render_natively(const CompiledScene& scene, Numeric numeric, int threads) {
-    return run_natively(scene, {nullptr, numeric, threads}, {});
+    return run_reference(scene, {nullptr, numeric, threads}, {});
 }
 
 EngineResult render_on(const std::string& model, const CompiledScene& scene, Numeric numeric,

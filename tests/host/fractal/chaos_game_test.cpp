@@ -8,9 +8,9 @@
 #include <map>
 #include <set>
 
+#include "host/compile/proven_rifs.hpp"
 #include "host/fractal/bounds.hpp"
 #include "host/fractal/default_weights.hpp"
-#include "host/fractal/proven_rifs.hpp"
 #include "host/scene/parser.hpp"
 
 namespace pxm::host {

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "host/compile/build_rifs.hpp"
 #include "host/fractal/affine_hull.hpp"
 #include "host/fractal/bounds.hpp"
 #include "host/fractal/contraction.hpp"

@@ -1,4 +1,5 @@
 #include "host/fractal/rifs.hpp"
+#include "host/compile/build_rifs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

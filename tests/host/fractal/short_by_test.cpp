@@ -1,5 +1,5 @@
-// Laws of host/fractal/short_by: what sticks out of declared volumes.
-#include "host/fractal/short_by.hpp"
+// Laws of host/compile/short_by: what sticks out of declared volumes.
+#include "host/compile/short_by.hpp"
 
 #include <gtest/gtest.h>
 

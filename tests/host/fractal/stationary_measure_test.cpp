@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "host/compile/build_rifs.hpp"
 #include "host/fractal/default_weights.hpp"
 #include "host/fractal/rifs.hpp"
 #include "host/scene/parser.hpp"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host/render/native_numeric.hpp"
+#include "host/render/render.hpp"
 #include "host/wide/wide_engine.hpp"
 #include "host/wide/wide_scene.hpp"
 #include "tests/support/compile_text.hpp"
@@ -25,7 +26,7 @@ Frame rendered(const CompiledScene& scene) {
     EngineChoice choice;
     choice.numeric = native_numeric(scene);
     choice.intersect = is_wide(scene) ? IntersectMethod::wide : IntersectMethod::heap;
-    return run_natively(scene, choice, {}).frame;
+    return load(scene, choice)->run(scene.crop, {}).frame;
 }
 
 /// Views whose rays are in no face by design.

@@ -3,6 +3,7 @@
 // are turned. known_surfaces_slow_test.cpp has all views, volumes and engines.
 #include <gtest/gtest.h>
 
+#include "host/render/render.hpp"
 #include "host/wide/wide_engine.hpp"
 #include "host/wide/wide_scene.hpp"
 #include "tests/support/compile_text.hpp"
@@ -36,8 +37,9 @@ TEST_P(KnownSurfaces, are_seen_where_they_are_and_turned_as_they_are) {
         EngineChoice choice;
         const bool wide = wide::why_not_wide(scene, Numeric::single).empty();
         choice.intersect = wide ? IntersectMethod::wide : IntersectMethod::heap;
-        const SurfaceVerdict verdict = judge(GetParam(), view(name), scene,
-                                             run_natively(scene, choice, {}).frame, most_degrees);
+        const SurfaceVerdict verdict =
+            judge(GetParam(), view(name), scene, load(scene, choice)->run(scene.crop, {}).frame,
+                  most_degrees);
         EXPECT_GT(verdict.rays, 50);
         EXPECT_EQ(verdict.lost, 0) << verdict.report;
         EXPECT_EQ(verdict.beside, 0) << verdict.report;
@@ -74,7 +76,7 @@ TEST(KnownSurfacesByArea, are_opaque) {
         const bool wide = wide::why_not_wide(scene, Numeric::single).empty();
         choice.intersect = wide ? IntersectMethod::wide : IntersectMethod::heap;
         const SurfaceVerdict verdict =
-            judge(surface, seen, scene, run_natively(scene, choice, {}).frame);
+            judge(surface, seen, scene, load(scene, choice)->run(scene.crop, {}).frame);
         EXPECT_GT(verdict.flat, 100);
         EXPECT_EQ(verdict.thin, 0) << name << ' ' << verdict.least_alpha;
     }

@@ -75,7 +75,7 @@ double share_of_same_colors(const CompiledScene& scene) {
     EngineChoice clear;
     clear.numeric = Numeric::twice;
     clear.intersect = IntersectMethod::heap;
-    const Frame expected = run_natively(scene, clear, {}).frame;
+    const Frame expected = run_reference(scene, clear, {}).frame;
     const Frame found = run_wide(scene, {}, {}).frame;
     double hits = 0, same = 0;
     for (std::size_t i = 0; i < found.pixels.size(); ++i) {

@@ -46,7 +46,7 @@ EngineResult run_clear(const CompiledScene& scene) {
     EngineChoice choice;
     choice.numeric = Numeric::twice;
     choice.intersect = IntersectMethod::heap;
-    return run_natively(scene, choice, {});
+    return run_reference(scene, choice, {});
 }
 
 /// How far two pictures are from each other: of a pixel the channel that differs most.

@@ -85,7 +85,7 @@ TEST_P(WideTracer, sees_what_the_clear_kernels_see) {
     EngineChoice clear;
     clear.numeric = Numeric::twice;
     clear.intersect = IntersectMethod::heap;
-    const EngineResult expected = run_natively(compiled, clear, {});
+    const EngineResult expected = run_reference(compiled, clear, {});
     const EngineResult found = run_wide(compiled, 1);
     long different = 0;
     for (std::size_t i = 0; i < found.frame.pixels.size(); ++i) {

@@ -57,7 +57,7 @@ TEST(WideHullShadow, hides_no_ball) {
         EngineChoice clear;
         clear.numeric = Numeric::twice;
         clear.intersect = IntersectMethod::heap;
-        const Frame expected = run_natively(scene, clear, {}).frame;
+        const Frame expected = run_reference(scene, clear, {}).frame;
         const Frame found = render_wide(scene);
         long lost = 0;
         for (std::size_t i = 0; i < found.pixels.size(); ++i) {

@@ -1,8 +1,10 @@
-#include "host/fractal/proven_rifs.hpp"
+#include "host/compile/proven_rifs.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+
+#include "host/compile/build_rifs.hpp"
 
 namespace pxm::host {
 

@@ -1,4 +1,4 @@
-#include "host/fractal/short_by.hpp"
+#include "host/compile/short_by.hpp"
 
 #include <algorithm>
 #include <cmath>
