@@ -4,12 +4,12 @@
 
 #include <exception>
 
+#include "host/compile/compile.hpp"
 #include "host/error.hpp"
-#include "host/render/compile.hpp"
 #include "host/render/render.hpp"
-#include "host/render_options.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
+#include "host/render/render_options.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/parse/parser.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Cells that a ray has opened by another word: where cells overlap, many words lead to (nearly) the
 // same one, and what lies inside need not be searched twice. The machine's nodes have no memory for
-// such an account; a native node that keeps one (host/render/known_cells.hpp) is asked, and for all
-// others this compiles to nothing.
+// such an account; a native node that keeps one (host/node_program/known_cells.hpp) is asked, and
+// for all others this compiles to nothing.
 #pragma once
 
 #include "dsp_kernels/cell.hpp"

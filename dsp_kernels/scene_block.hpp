@@ -1,5 +1,5 @@
 // The scene block: what the host broadcasts into every node's back frame buffer (Ch. 19), as words
-// in the node's format. Records are integers first, then numbers; host/render/scene_block_writer
+// in the node's format. Records are integers first, then numbers; host/render/write_scene_block
 // fills them in and the kernels read them back. Addresses are word addresses from the start of the
 // block.
 //

@@ -1,5 +1,5 @@
 // A picture as a texture: four texels of the two sizes next to the spot's, mixed (trilinear). All
-// sizes lie in the texture memory of a node (Ch. 19), made by the host (host/render/image_levels).
+// sizes lie in the texture memory of a node (Ch. 19), made by the host (host/compile/image_levels).
 // Node code: no allocation, no exceptions.
 #pragma once
 

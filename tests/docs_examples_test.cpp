@@ -8,8 +8,8 @@
 #include <sstream>
 #include <vector>
 
-#include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/parse/parser.hpp"
 #include "tests/support/folder.hpp"
 #include "tests/support/paths.hpp"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/parse/parser.hpp"
 #include "tests/support/paths.hpp"
 
 namespace pxm::test {

@@ -10,10 +10,10 @@
 #include "dsp_kernels/first_cell.hpp"
 #include "dsp_kernels/heap.hpp"
 #include "dsp_kernels/pixel_program.hpp"
-#include "host/render/compile.hpp"
-#include "host/render/native_node.hpp"
-#include "host/render/scene_block.hpp"
-#include "host/scene/parser.hpp"
+#include "host/compile/compile.hpp"
+#include "host/node_program/native_node.hpp"
+#include "host/node_program/write_scene_block.hpp"
+#include "host/scene/parse/parser.hpp"
 
 namespace pxm {
 namespace {

@@ -1,5 +1,5 @@
 // What the node program does with a finished pixel, as the machine engine does it for the nodes
-// (host/render/machine_engine.cpp): four bytes into the front frame buffer.
+// (host/engine/machine_engine.cpp): four bytes into the front frame buffer.
 #pragma once
 
 #include "dsp_kernels/modules/measured_node.hpp"

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "host/fractal/components.hpp"
+#include "host/fractal/system/components.hpp"
 
 namespace pxm::host {
 

@@ -2,7 +2,7 @@
 // numbers.
 #pragma once
 
-#include "host/fractal/rifs.hpp"
+#include "host/fractal/system/rifs.hpp"
 #include "host/scene/diagnostics.hpp"
 #include "host/scene/scene.hpp"
 

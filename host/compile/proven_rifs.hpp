@@ -3,8 +3,10 @@
 
 #include <optional>
 
-#include "host/fractal/contraction.hpp"
-#include "host/fractal/rifs.hpp"
+#include "host/fractal/system/contraction.hpp"
+#include "host/fractal/system/rifs.hpp"
+#include "host/scene/diagnostics.hpp"
+#include "host/scene/scene.hpp"
 
 namespace pxm::host {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "host/fractal/farthest.hpp"
-#include "host/fractal/support.hpp"
+#include "host/fractal/bounds/farthest.hpp"
+#include "host/fractal/bounds/support.hpp"
 
 namespace pxm::host {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "host/fractal/bounds.hpp"
+#include "host/fractal/bounds/bounds.hpp"
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "host/error.hpp"
-#include "host/scene/printable.hpp"
+#include "host/text/printable.hpp"
 
 namespace pxm::host {
 

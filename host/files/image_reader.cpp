@@ -15,7 +15,7 @@
 #include "host/files/exr_header.hpp"
 #include "host/files/image_format.hpp"
 #include "host/files/regular_file.hpp"
-#include "host/scene/printable.hpp"
+#include "host/text/printable.hpp"
 
 namespace pxm::host {
 

@@ -6,19 +6,19 @@
 #include <cmath>
 #include <filesystem>
 
+#include "host/compile/compile.hpp"
 #include "host/error.hpp"
 #include "host/files/image_format.hpp"
 #include "host/files/regular_file.hpp"
-#include "host/import/fractint_ifs.hpp"
-#include "host/import/fractint_l.hpp"
+#include "host/import/fractint/fractint_ifs.hpp"
+#include "host/import/fractint/fractint_l.hpp"
 #include "host/import/imported_scene.hpp"
-#include "host/import/moment_search.hpp"
-#include "host/import/picture.hpp"
+#include "host/import/moments/moment_search.hpp"
+#include "host/import/moments/picture.hpp"
 #include "host/output/image.hpp"
-#include "host/render/compile.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
-#include "host/scene/printable.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/parse/parser.hpp"
+#include "host/text/printable.hpp"
 
 namespace pxm::host {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "host/compile/build_rifs.hpp"
 #include "host/error.hpp"
-#include "host/fractal/bounds.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/grammar.hpp"
-#include "host/scene/print.hpp"
-#include "host/scene/printable.hpp"
+#include "host/fractal/bounds/bounds.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/parse/grammar.hpp"
+#include "host/scene/print/print.hpp"
+#include "host/text/printable.hpp"
 
 namespace pxm::host {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "host/compile/build_rifs.hpp"
 #include "host/error.hpp"
-#include "host/fractal/lipschitz.hpp"
-#include "host/fractal/rifs.hpp"
-#include "host/number_text.hpp"
-#include "host/render/precise.hpp"
+#include "host/fractal/system/rifs.hpp"
+#include "host/math/lipschitz.hpp"
+#include "host/math/precise.hpp"
 #include "host/scene/default_objects.hpp"
+#include "host/text/number_text.hpp"
 
 namespace pxm::host {
 

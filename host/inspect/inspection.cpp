@@ -6,10 +6,10 @@
 
 #include "host/compile/proven_rifs.hpp"
 #include "host/compile/short_by.hpp"
-#include "host/fractal/affine_hull.hpp"
-#include "host/fractal/inner_points.hpp"
-#include "host/fractal/rifs.hpp"
-#include "host/render/volumes.hpp"
+#include "host/compile/volumes.hpp"
+#include "host/fractal/bounds/affine_hull.hpp"
+#include "host/fractal/bounds/inner_points.hpp"
+#include "host/fractal/system/rifs.hpp"
 #include "host/scene/default_objects.hpp"
 
 namespace pxm::host {

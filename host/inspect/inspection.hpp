@@ -1,5 +1,5 @@
 // All that can be known of a scene before a ray is cast: what `pxm inspect` tells. Facts only; how
-// they are written stands in host/output/inspect_json and inspect_text.
+// they are written stands in host/inspect/inspect_json and inspect_text.
 #pragma once
 
 #include <array>
@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "host/fractal/bounds.hpp"
-#include "host/fractal/contraction.hpp"
-#include "host/fractal/dimension.hpp"
-#include "host/fractal/disconnected.hpp"
-#include "host/fractal/graph_facts.hpp"
-#include "host/fractal/lipschitz.hpp"
-#include "host/fractal/open_set.hpp"
-#include "host/fractal/word_lipschitz.hpp"
+#include "host/fractal/bounds/bounds.hpp"
+#include "host/fractal/dimension/dimension.hpp"
+#include "host/fractal/dimension/disconnected.hpp"
+#include "host/fractal/dimension/open_set.hpp"
+#include "host/fractal/system/contraction.hpp"
+#include "host/fractal/system/graph_facts.hpp"
+#include "host/fractal/system/word_lipschitz.hpp"
 #include "host/inspect/node_needs.hpp"
+#include "host/math/lipschitz.hpp"
 #include "host/scene/diagnostics.hpp"
 #include "host/scene/scene.hpp"
 

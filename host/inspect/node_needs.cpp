@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "dsp_kernels/cell.hpp"
-#include "host/render/compile.hpp"
-#include "host/render/scene_block.hpp"
+#include "host/compile/compile.hpp"
+#include "host/node_program/write_scene_block.hpp"
 #include "pxm/frame_buffer.hpp"
 #include "pxm/model.hpp"
 #include "pxm/real.hpp"

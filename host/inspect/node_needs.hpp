@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "host/render/link.hpp"
-#include "host/render/statistics.hpp"
+#include "host/engine/statistics.hpp"
+#include "host/node_program/link.hpp"
 #include "host/scene/diagnostics.hpp"
 #include "host/scene/scene.hpp"
-#include "host/wide/wide_scene.hpp"
+#include "host/wide/tables/wide_scene.hpp"
 
 namespace pxm::host {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "host/engine/aov.hpp"
 #include "host/error.hpp"
-#include "host/output/aov.hpp"
 
 namespace pxm::host {
 

@@ -13,8 +13,8 @@
 #include <optional>
 
 #include "host/error.hpp"
+#include "host/files/safe_file.hpp"
 #include "host/output/image_sink.hpp"
-#include "host/output/safe_file.hpp"
 
 namespace pxm::host {
 

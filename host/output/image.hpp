@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "host/engine/aov.hpp"
+#include "host/engine/frame.hpp"
 #include "host/files/image_reader.hpp"
-#include "host/output/aov.hpp"
-#include "host/render/frame.hpp"
 
 namespace pxm::host {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "host/output/checked_file.hpp"
+#include "host/files/checked_file.hpp"
 
 namespace pxm::host {
 

@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "host/output/image.hpp"
-#include "host/scene/printable.hpp"
+#include "host/text/printable.hpp"
 
 namespace pxm::host {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/output/checked_file.hpp"
+#include "host/files/checked_file.hpp"
 #include "host/output/cloud_extent.hpp"
 
 namespace pxm::host {

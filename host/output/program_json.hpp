@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host/render/link.hpp"
+#include "host/node_program/link.hpp"
 
 namespace pxm::host {
 

@@ -8,7 +8,7 @@
 
 #include "host/error.hpp"
 #include "host/scene/picture_path.hpp"
-#include "host/scene/printable.hpp"
+#include "host/text/printable.hpp"
 
 namespace pxm::host {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "host/output/json_text.hpp"
 #include "host/output/program_json.hpp"
+#include "host/text/json_text.hpp"
 #include "pxm/cost.hpp"
 #include "pxm/model.hpp"
 

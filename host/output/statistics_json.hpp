@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host/render/statistics.hpp"
+#include "host/engine/statistics.hpp"
 
 namespace pxm::host {
 

@@ -10,9 +10,9 @@
 #include <limits>
 
 #include "dsp_kernels/scene_block.hpp"
-#include "host/fractal/lipschitz.hpp"
-#include "host/render/extent.hpp"
-#include "host/render/scene_block.hpp"
+#include "host/compile/extent.hpp"
+#include "host/math/lipschitz.hpp"
+#include "host/node_program/write_scene_block.hpp"
 #include "pxm/dsp32/float.hpp"
 
 namespace pxm::host {

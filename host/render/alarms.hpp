@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "host/render/compiled_scene.hpp"
-#include "host/render/frame.hpp"
+#include "host/compiled/compiled_scene.hpp"
+#include "host/engine/frame.hpp"
 
 namespace pxm::host {
 

@@ -1,9 +1,9 @@
 #include "host/render/findings.hpp"
 
+#include "host/compile/compile.hpp"
 #include "host/error.hpp"
-#include "host/render/compile.hpp"
 #include "host/render/prepare.hpp"
-#include "host/scene/check.hpp"
+#include "host/scene/check/check.hpp"
 
 namespace pxm::host {
 

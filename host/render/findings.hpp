@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host/scene/settings.hpp"
+#include "host/scene/check/settings.hpp"
 
 namespace pxm::host {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "host/wide/wide_scene.hpp"
+#include "host/wide/tables/wide_scene.hpp"
 
 namespace pxm::host {
 

@@ -1,7 +1,7 @@
 // The numbers that native renders compute with unless the scene says.
 #pragma once
 
-#include "host/render/compiled_scene.hpp"
+#include "host/compiled/compiled_scene.hpp"
 
 namespace pxm::host {
 

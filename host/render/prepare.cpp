@@ -1,11 +1,11 @@
 #include "host/render/prepare.hpp"
 
+#include "host/compile/compile.hpp"
 #include "host/error.hpp"
-#include "host/render/compile.hpp"
+#include "host/process/phase_clock.hpp"
 #include "host/render/native_numeric.hpp"
-#include "host/render/phase_clock.hpp"
-#include "host/scene/check.hpp"
-#include "host/wide/wide_scene.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/wide/tables/wide_scene.hpp"
 
 namespace pxm::host {
 

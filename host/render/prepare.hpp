@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "host/render/compiled_scene.hpp"
+#include "host/compiled/compiled_scene.hpp"
 #include "host/render/render.hpp"
 
 namespace pxm::host {

@@ -7,16 +7,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/engine/overflow.hpp"
 #include "host/error.hpp"
+#include "host/node_program/link.hpp"
+#include "host/node_program/write_scene_block.hpp"
 #include "host/output/spared_inputs.hpp"
+#include "host/process/phase_clock.hpp"
 #include "host/render/alarms.hpp"
-#include "host/render/link.hpp"
-#include "host/render/overflow.hpp"
-#include "host/render/phase_clock.hpp"
 #include "host/render/prepare.hpp"
-#include "host/render/scene_block.hpp"
 #include "host/scene/words.hpp"
-#include "host/wide/wide_engine.hpp"
+#include "host/wide/tile/wide_engine.hpp"
 
 namespace pxm::host {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "host/render/engine.hpp"
-#include "host/render/frame.hpp"
-#include "host/render/statistics.hpp"
+#include "host/engine/engine.hpp"
+#include "host/engine/frame.hpp"
+#include "host/engine/statistics.hpp"
+#include "host/scene/check/settings.hpp"
 #include "host/scene/scene.hpp"
-#include "host/scene/settings.hpp"
 
 namespace pxm::host {
 

@@ -1,6 +1,6 @@
 // A scene as the text says it: blocks, directives and values, names still names
 // (docs/scene-language.md). What is left out stays empty here; defaults are filled in by the
-// compiler (host/render/compile). Equality ignores positions in the source, so that
+// compiler (host/compile/compile). Equality ignores positions in the source, so that
 // parse(print(scene)) == scene can be tested.
 #pragma once
 
@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-#include "host/fractal/affine.hpp"
+#include "host/math/affine.hpp"
 #include "host/math/decimal.hpp"
 
 namespace pxm::host {

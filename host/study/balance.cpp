@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "host/output/image.hpp"
-#include "host/study/balance_page.hpp"
+#include "host/study/page/balance_page.hpp"
 #include "host/study/partition.hpp"
 #include "host/study/study_scene.hpp"
 #include "pxm/model.hpp"

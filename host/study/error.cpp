@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "host/study/deviation.hpp"
-#include "host/study/error_page.hpp"
 #include "host/study/error_settings.hpp"
+#include "host/study/page/error_page.hpp"
 #include "host/study/pareto.hpp"
 #include "host/study/study_scene.hpp"
 

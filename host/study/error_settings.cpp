@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "host/render_options.hpp"
+#include "host/render/render_options.hpp"
 
 namespace pxm::host {
 

@@ -1,8 +1,8 @@
 #include "host/study/extended.hpp"
 
-#include "host/render/gather.hpp"
-#include "host/render/instances.hpp"
-#include "host/render/native_node.hpp"
+#include "host/engine/gather.hpp"
+#include "host/node_program/instances.hpp"
+#include "host/node_program/native_node.hpp"
 
 namespace pxm::host {
 

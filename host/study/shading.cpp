@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/output/safe_file.hpp"
-#include "host/study/shading_page.hpp"
+#include "host/files/safe_file.hpp"
+#include "host/study/page/shading_page.hpp"
 #include "host/study/study_scene.hpp"
 
 namespace pxm::host {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "host/output/safe_file.hpp"
+#include "host/files/safe_file.hpp"
 #include "host/study/deviation.hpp"
 #include "host/study/extended.hpp"
 #include "host/study/grade.hpp"
+#include "host/study/page/stability_page.hpp"
 #include "host/study/stability_cases.hpp"
-#include "host/study/stability_page.hpp"
 #include "host/study/study_scene.hpp"
 
 namespace pxm::host {

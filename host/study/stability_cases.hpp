@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "host/scene/check/settings.hpp"
 #include "host/scene/scene.hpp"
-#include "host/scene/settings.hpp"
 
 namespace pxm::host {
 

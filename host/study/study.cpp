@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <utility>
 
-#include "host/interrupt.hpp"
-#include "host/output/json_text.hpp"
-#include "host/output/progress.hpp"
-#include "host/output/safe_file.hpp"
-#include "host/scene/printable.hpp"
+#include "host/files/safe_file.hpp"
+#include "host/process/interrupt.hpp"
+#include "host/process/progress.hpp"
+#include "host/process/terminal.hpp"
 #include "host/study/study_files.hpp"
 #include "host/study/unit_store.hpp"
-#include "host/terminal.hpp"
+#include "host/text/json_text.hpp"
+#include "host/text/printable.hpp"
 
 namespace pxm::host {
 

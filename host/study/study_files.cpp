@@ -1,7 +1,7 @@
 #include "host/study/study_files.hpp"
 
 #include "host/output/spared_inputs.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/parse/parser.hpp"
 
 namespace pxm::host {
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "host/output/image.hpp"
-#include "host/scene/print.hpp"
-#include "host/study/plot.hpp"
+#include "host/scene/print/print.hpp"
+#include "host/study/page/plot.hpp"
 
 namespace pxm::host {
 

@@ -4,9 +4,9 @@
 #include <fstream>
 
 #include "host/error.hpp"
-#include "host/output/json_text.hpp"
-#include "host/output/safe_file.hpp"
-#include "host/scene/printable.hpp"
+#include "host/files/safe_file.hpp"
+#include "host/text/json_text.hpp"
+#include "host/text/printable.hpp"
 
 namespace pxm::host {
 

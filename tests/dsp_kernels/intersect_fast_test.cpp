@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "host/render/native_node.hpp"
+#include "host/node_program/native_node.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/example_scenes.hpp"
 #include "tests/support/referee.hpp"

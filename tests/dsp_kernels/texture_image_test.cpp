@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "host/render/image_levels.hpp"
+#include "host/compile/image_levels.hpp"
 #include "tests/support/floor_node.hpp"
 #include "tests/support/folder.hpp"
 

@@ -11,9 +11,9 @@
 
 #include "dsp_kernels/cell.hpp"
 #include "dsp_kernels/descend.hpp"
-#include "host/render/bounding_volume.hpp"
-#include "host/render/native_node.hpp"
-#include "host/render/scene_block.hpp"
+#include "host/compiled/bounding_volume.hpp"
+#include "host/node_program/native_node.hpp"
+#include "host/node_program/write_scene_block.hpp"
 #include "tests/support/crossing.hpp"
 
 namespace pxm::test {

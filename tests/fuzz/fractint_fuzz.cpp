@@ -3,8 +3,8 @@
 #include <string>
 
 #include "host/error.hpp"
-#include "host/import/fractint_ifs.hpp"
-#include "host/import/fractint_l.hpp"
+#include "host/import/fractint/fractint_ifs.hpp"
+#include "host/import/fractint/fractint_l.hpp"
 
 using namespace pxm::host;
 

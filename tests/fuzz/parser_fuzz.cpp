@@ -4,9 +4,9 @@
 #include <string>
 
 #include "host/error.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
-#include "host/scene/print.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/parse/parser.hpp"
+#include "host/scene/print/print.hpp"
 
 using namespace pxm::host;
 

@@ -5,8 +5,8 @@
 
 #include <cstdlib>
 
-#include "host/cli.hpp"
-#include "host/terminal.hpp"
+#include "host/commands/cli.hpp"
+#include "host/process/terminal.hpp"
 
 namespace pxm::test {
 

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/parse/parser.hpp"
 
 namespace pxm::test {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "host/render/compile.hpp"
-#include "host/render/engine.hpp"
+#include "host/compile/compile.hpp"
+#include "host/engine/engine.hpp"
 
 namespace pxm::test {
 

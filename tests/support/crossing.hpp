@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "host/render/compiled_scene.hpp"
+#include "host/compiled/compiled_scene.hpp"
 
 namespace pxm::test {
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "dsp_kernels/pixel_program.hpp"
-#include "host/render/crowded.hpp"
-#include "host/render/scene_block.hpp"
+#include "host/node_program/crowded.hpp"
+#include "host/node_program/write_scene_block.hpp"
 
 namespace pxm::test {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "dsp_kernels/search_result.hpp"
-#include "host/render/compiled_scene.hpp"
-#include "host/render/native_node.hpp"
+#include "host/compiled/compiled_scene.hpp"
+#include "host/node_program/native_node.hpp"
 
 namespace pxm::test {
 

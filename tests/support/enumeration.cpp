@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "host/fractal/lipschitz.hpp"
+#include "host/math/lipschitz.hpp"
 
 namespace pxm::test {
 

@@ -5,9 +5,9 @@
 
 #include "dsp_kernels/cell.hpp"
 #include "dsp_kernels/plane.hpp"
+#include "host/node_program/native_node.hpp"
+#include "host/node_program/write_scene_block.hpp"
 #include "host/output/image.hpp"
-#include "host/render/native_node.hpp"
-#include "host/render/scene_block.hpp"
 #include "tests/support/compile_text.hpp"
 
 namespace pxm::test {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "host/fractal/polytope.hpp"
+#include "host/fractal/bounds/polytope.hpp"
 #include "tests/support/oracle.hpp"
 
 namespace pxm::test {

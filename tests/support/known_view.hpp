@@ -4,7 +4,7 @@
 #include <glm/mat3x3.hpp>
 #include <string>
 
-#include "host/render/engine.hpp"
+#include "host/engine/engine.hpp"
 #include "tests/support/known_surface.hpp"
 
 namespace pxm::test {

@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "host/render/compiled_scene.hpp"
+#include "host/compiled/compiled_scene.hpp"
 
 namespace pxm::test {
 

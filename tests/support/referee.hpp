@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "host/render/frame.hpp"
+#include "host/engine/frame.hpp"
 #include "tests/support/oracle.hpp"
 
 namespace pxm::test {

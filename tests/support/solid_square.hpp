@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host/render/frame.hpp"
+#include "host/engine/frame.hpp"
 
 namespace pxm::test {
 

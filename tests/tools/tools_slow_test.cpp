@@ -35,7 +35,7 @@ class Tools : public testing::Test {
         fs::copy(fs::path(source_dir) / "tools", root_ / "tools");
         for (const char* folder : {"cmake", "pxm", "dsp_kernels", "host"})
             fs::create_directory(root_ / folder);
-        for (const char* file : {"CMakeLists.txt", "CMakePresets.json", "host/main.cpp"})
+        for (const char* file : {"CMakeLists.txt", "CMakePresets.json", "host/commands/main.cpp"})
             write(root_ / file, "");
         fs::create_directory(root_ / "bin");
         stand_in("cmake",
@@ -100,9 +100,9 @@ TEST_F(Tools, the_program_is_built_once_and_run_where_the_caller_is) {
 
 TEST_F(Tools, a_newer_source_and_a_removed_one_build_again) {
     ASSERT_EQ(run("").exit_code, 7);
-    edit("host/main.cpp");
+    edit("host/commands/main.cpp");
     EXPECT_THAT(run("").err, HasSubstr("building pxm"));
-    fs::last_write_time(root_ / "host/main.cpp",
+    fs::last_write_time(root_ / "host/commands/main.cpp",
                         fs::file_time_type::clock::now() - std::chrono::hours(1));
     ASSERT_EQ(run("").err, "");
     edit("host");  // the time of a folder tells of files added and removed
@@ -111,7 +111,7 @@ TEST_F(Tools, a_newer_source_and_a_removed_one_build_again) {
 
 TEST_F(Tools, a_failed_build_shows_its_output_and_runs_nothing) {
     ASSERT_EQ(run("").exit_code, 7);
-    edit("host/main.cpp");
+    edit("host/commands/main.cpp");
     stand_in("cmake", "echo main.cpp: no such thing; exit 1");
     for (int attempt = 0; attempt < 2; ++attempt) {
         const Outcome outcome = run("");
@@ -138,7 +138,7 @@ add_custom_command(OUTPUT bin/pxm DEPENDS two COMMAND mkdir -p bin
                    COMMAND cp ${top}/host/main.cpp bin/pxm COMMAND chmod +x bin/pxm)
 add_custom_target(all_of_it ALL DEPENDS bin/pxm)
 )");
-    write(root_ / "host/main.cpp", "#!/bin/sh\nexit 7\n");
+    write(root_ / "host/commands/main.cpp", "#!/bin/sh\nexit 7\n");
     const Outcome stopped = run("");
     EXPECT_EQ(stopped.exit_code, 1);
     EXPECT_THAT(stopped.err, HasSubstr("building pxm: 3 steps, about"));
@@ -169,7 +169,7 @@ TEST_F(Tools, a_terminal_shows_steps_and_the_time_left_and_a_file_does_not) {
     EXPECT_THAT(shown, HasSubstr("building pxm: 4 steps, about "));
     EXPECT_THAT(shown, HasSubstr("step 2 of 4, about 0 seconds left"));
 
-    edit("host/main.cpp");
+    edit("host/commands/main.cpp");
     const Outcome quiet = run("render");
     EXPECT_EQ(quiet.exit_code, 7);
     EXPECT_THAT(quiet.err, HasSubstr("building pxm: 4 steps, about "));

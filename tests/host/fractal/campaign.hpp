@@ -10,10 +10,10 @@
 #include <glm/geometric.hpp>
 #include <string>
 
-#include "host/fractal/bounds.hpp"
-#include "host/fractal/chaos_game.hpp"
-#include "host/fractal/default_weights.hpp"
-#include "host/fractal/lipschitz.hpp"
+#include "host/fractal/bounds/bounds.hpp"
+#include "host/fractal/dimension/default_weights.hpp"
+#include "host/fractal/measure/chaos_game.hpp"
+#include "host/math/lipschitz.hpp"
 #include "tests/host/fractal/systems.hpp"
 
 namespace pxm::host::campaign {

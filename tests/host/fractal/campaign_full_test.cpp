@@ -1,7 +1,7 @@
 // The campaigns over thousands of random systems.
 #include "tests/host/fractal/campaign.hpp"
 
-#include "host/fractal/similarity.hpp"
+#include "host/fractal/dimension/similarity.hpp"
 
 namespace pxm::host {
 namespace {

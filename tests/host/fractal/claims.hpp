@@ -6,13 +6,13 @@
 #include <string>
 
 #include "host/compile/build_rifs.hpp"
-#include "host/fractal/affine_hull.hpp"
-#include "host/fractal/bounds.hpp"
-#include "host/fractal/contraction.hpp"
-#include "host/fractal/dimension.hpp"
-#include "host/fractal/disconnected.hpp"
-#include "host/fractal/graph_facts.hpp"
-#include "host/scene/parser.hpp"
+#include "host/fractal/bounds/affine_hull.hpp"
+#include "host/fractal/bounds/bounds.hpp"
+#include "host/fractal/dimension/dimension.hpp"
+#include "host/fractal/dimension/disconnected.hpp"
+#include "host/fractal/system/contraction.hpp"
+#include "host/fractal/system/graph_facts.hpp"
+#include "host/scene/parse/parser.hpp"
 
 namespace pxm::host::systems {
 

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <set>
 
-#include "host/fractal/elimination.hpp"
-#include "host/fractal/neighbours.hpp"
-#include "host/fractal/similarity.hpp"
-#include "host/fractal/six_digits.hpp"
+#include "host/fractal/dimension/neighbours.hpp"
+#include "host/fractal/dimension/similarity.hpp"
+#include "host/fractal/system/elimination.hpp"
+#include "host/text/six_digits.hpp"
 #include "tests/host/fractal/systems.hpp"
 
 namespace pxm::host {

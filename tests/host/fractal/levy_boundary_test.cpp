@@ -12,7 +12,7 @@
 #include <set>
 #include <tuple>
 
-#include "host/fractal/similarity.hpp"
+#include "host/fractal/dimension/similarity.hpp"
 #include "tests/host/fractal/systems.hpp"
 
 namespace pxm::host {

@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
-#include "host/fractal/bounds.hpp"
-#include "host/fractal/components.hpp"
-#include "host/fractal/cycle_mean.hpp"
-#include "host/fractal/inner_points.hpp"
-#include "host/fractal/invariant_ball.hpp"
-#include "host/fractal/quadratic_norm.hpp"
-#include "host/fractal/words.hpp"
+#include "host/fractal/bounds/bounds.hpp"
+#include "host/fractal/bounds/inner_points.hpp"
+#include "host/fractal/bounds/invariant_ball.hpp"
+#include "host/fractal/system/components.hpp"
+#include "host/fractal/system/cycle_mean.hpp"
+#include "host/fractal/system/quadratic_norm.hpp"
+#include "host/fractal/system/words.hpp"
 #include "tests/host/fractal/systems.hpp"
 
 namespace pxm::host::proof_campaign {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "host/fractal/rifs.hpp"
+#include "host/fractal/system/rifs.hpp"
 
 namespace pxm::host::systems {
 

@@ -3,10 +3,10 @@
 
 #include <sstream>
 
-#include "host/import/fractint_ifs.hpp"
-#include "host/import/fractint_l.hpp"
+#include "host/import/fractint/fractint_ifs.hpp"
+#include "host/import/fractint/fractint_l.hpp"
 #include "host/import/import.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/parse/parser.hpp"
 #include "tests/support/paths.hpp"
 
 namespace pxm::host {

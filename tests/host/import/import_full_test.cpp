@@ -7,8 +7,8 @@
 #include <random>
 
 #include "host/import/import.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/print.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/print/print.hpp"
 #include "tests/host/scene/random_scene.hpp"
 #include "tests/host/scene/scene_text.hpp"
 

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <span>
 
-#include "host/import/moment_search.hpp"
-#include "host/import/picture.hpp"
+#include "host/import/moments/moment_search.hpp"
+#include "host/import/moments/picture.hpp"
 #include "host/render/render.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/render_text.hpp"

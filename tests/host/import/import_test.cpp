@@ -8,8 +8,8 @@
 
 #include "host/error.hpp"
 #include "host/import/imported_scene.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/parse/parser.hpp"
 #include "tests/support/paths.hpp"
 
 namespace pxm::host {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/import/fractint_l.hpp"
+#include "host/import/fractint/fractint_l.hpp"
 
 namespace pxm::host::test {
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host/error.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/parse/parser.hpp"
 #include "tests/support/example_scenes.hpp"
 #include "tests/support/render_text.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "host/inspect/inspection.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/parse/parser.hpp"
 
 namespace pxm::test {
 

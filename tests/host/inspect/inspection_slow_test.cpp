@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "host/fractal/affinity.hpp"
-#include "host/fractal/graph_facts.hpp"
-#include "host/fractal/similarity.hpp"
-#include "host/output/inspect_json.hpp"
+#include "host/fractal/dimension/affinity.hpp"
+#include "host/fractal/dimension/similarity.hpp"
+#include "host/fractal/system/graph_facts.hpp"
+#include "host/inspect/inspect_json.hpp"
 #include "tests/host/fractal/systems.hpp"
 #include "tests/host/inspect/inspect_scene.hpp"
 #include "tests/host/inspect/json_keys.hpp"

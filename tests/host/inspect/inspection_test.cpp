@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "host/output/inspect_json.hpp"
-#include "host/output/inspect_text.hpp"
+#include "host/inspect/inspect_json.hpp"
+#include "host/inspect/inspect_text.hpp"
 #include "tests/host/inspect/inspect_scene.hpp"
 #include "tests/host/inspect/json_keys.hpp"
 #include "tests/support/paths.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "host/error.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/parser.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/parse/parser.hpp"
 
 namespace pxm::test {
 

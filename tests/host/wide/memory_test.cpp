@@ -2,8 +2,8 @@
 // clear kernels'.
 #include <gtest/gtest.h>
 
-#include "host/wide/bundle_search.hpp"
-#include "host/wide/wide_engine.hpp"
+#include "host/wide/search/packet_search.hpp"
+#include "host/wide/tile/wide_engine.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/render_text.hpp"
 
@@ -25,7 +25,7 @@ TEST_P(TinyPixels, do_not_fill_the_memory_with_shared_cells) {
     const CompiledScene scene = test::compile_text(tiny_pixels(maps, volume));
     ASSERT_EQ(why_not_wide(scene, Numeric::single), "");
     const WideScene wide = make_wide_scene(scene);
-    Workspace work;
+    SearchWorkspace work;
     work.scratch = hwy::AllocateAligned<double>(std::size_t{table_step} * 32);
     aim_at_tile(work.bundle, scene.camera, scene.crop, 0, 0, {0.5, 0.5});
     ASSERT_TRUE(search_bundle(wide, work));

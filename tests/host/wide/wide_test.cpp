@@ -5,8 +5,8 @@
 
 #include <hwy/targets.h>
 
-#include "host/wide/wide_engine.hpp"
-#include "host/wide/wide_scene.hpp"
+#include "host/wide/tables/wide_scene.hpp"
+#include "host/wide/tile/wide_engine.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/example_scenes.hpp"
 #include "tests/support/paths.hpp"

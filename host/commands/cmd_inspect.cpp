@@ -1,0 +1,80 @@
+// `pxm inspect SCENE`: what the scene is and what it will need, without rendering.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "host/commands/cmd.hpp"
+#include "host/commands/option_checks.hpp"
+#include "host/commands/shared_options.hpp"
+#include "host/files/safe_file.hpp"
+#include "host/inspect/attractor_point.hpp"
+#include "host/inspect/inspect_json.hpp"
+#include "host/inspect/inspect_text.hpp"
+#include "host/inspect/inspection.hpp"
+#include "host/output/spared_inputs.hpp"
+#include "host/process/terminal.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/check/settings.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+struct InspectArguments {
+    std::string scene;
+    std::vector<std::string> allowed;
+    std::string out;
+    std::vector<std::string> set;
+    bool json = false;
+    std::vector<std::string> point;
+};
+
+void put(const std::string& text, const std::string& out) {
+    if (out.empty()) {
+        put_result(text);
+    } else {
+        write_text_safely(out, text);
+    }
+}
+
+ExitCode inspect_scene(const InspectArguments& arguments) {
+    const Settings settings = parse_settings(arguments.set);
+    if (!arguments.out.empty()) require_writable(arguments.out);
+    Diagnostics diagnostics;
+    const Scene scene = parse_scene(arguments.scene, settings, diagnostics, arguments.allowed);
+    if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
+    diagnostics.throw_if_errors(scene.files);
+    if (!arguments.out.empty()) require_spared({arguments.out}, inputs_of(scene));
+    if (!arguments.point.empty()) {
+        put(attractor_point(scene, arguments.point) + "\n", arguments.out);
+        return ExitCode::done;
+    }
+    const Inspection found = inspect(scene, arguments.scene, diagnostics);
+    diagnostics.throw_if_errors(scene.files);
+    const std::string warnings = diagnostics.warnings_text(scene.files);
+    if (!warnings.empty()) tell(warnings + "\n");
+    put(arguments.json ? inspect_json(found) : inspect_text(found), arguments.out);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+CommandAction add_inspect_command(CLI::App& app) {
+    const auto a = std::make_shared<InspectArguments>();
+    CLI::App* command =
+        app.add_subcommand("inspect", "Say what a scene is and needs, without rendering");
+    command->add_option("scene", a->scene, "The scene file (.pxm)")->required()->check(some_text());
+    command->add_flag("--json", a->json, "As JSON");
+    command
+        ->add_option("--point", a->point,
+                     "Print the attractor's point whose address repeats these maps")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    add_set_option(*command, a->set);
+    command->add_option("-o,--out", a->out, "Write to this file; default: the standard output")
+        ->check(some_text());
+    add_allow_option(*command, a->allowed);
+    return [a] { return inspect_scene(*a); };
+}
+
+}  // namespace pxm::host

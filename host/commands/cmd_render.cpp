@@ -1,0 +1,247 @@
+// `pxm render SCENE [-o OUT]`: a picture, or with --pixel one ray's descent.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "host/commands/cmd.hpp"
+#include "host/commands/option_checks.hpp"
+#include "host/commands/shared_options.hpp"
+#include "host/files/safe_file.hpp"
+#include "host/output/cost_model_json.hpp"
+#include "host/output/image.hpp"
+#include "host/output/spared_inputs.hpp"
+#include "host/output/statistics_json.hpp"
+#include "host/process/granted_threads.hpp"
+#include "host/process/interrupt.hpp"
+#include "host/process/progress.hpp"
+#include "host/process/terminal.hpp"
+#include "host/render/render.hpp"
+#include "host/render/render_options.hpp"
+#include "host/text/printable.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+/// The options as they were written; empty where they were not.
+struct RenderArguments {
+    std::string scene;
+    std::vector<std::string> allowed;
+    std::string out;
+    std::string machine;
+    bool native = false;
+    std::string cost_model;
+    int threads = 0;  // 0: those granted
+    std::string stats;
+    std::vector<std::string> set;
+    std::string size, crop, numeric, covers, shading, intersect, lipschitz, volume, aov, pixel;
+    std::optional<long> levels;
+    std::optional<long> samples;
+    std::optional<long> heap;
+    std::optional<double> detail;
+    double zoom = 1;
+    bool quiet = false;
+};
+
+SceneOverrides overrides_of(const RenderArguments& a) {
+    SceneOverrides overrides;
+    if (!a.size.empty()) overrides.size = parse_size(a.size);
+    if (!a.crop.empty()) overrides.crop = parse_crop(a.crop);
+    overrides.levels = a.levels;
+    overrides.zoom = a.zoom;
+    overrides.samples = a.samples;
+    overrides.detail = a.detail;
+    overrides.heap = a.heap;
+    if (!a.numeric.empty()) overrides.numeric = parse_numeric(a.numeric);
+    if (!a.covers.empty()) overrides.covers = parse_covers(a.covers);
+    if (!a.shading.empty()) overrides.shading = parse_shading(a.shading);
+    if (!a.intersect.empty()) overrides.intersect = parse_intersect(a.intersect);
+    if (!a.lipschitz.empty()) overrides.lipschitz = parse_lipschitz(a.lipschitz);
+    if (!a.volume.empty()) overrides.volume = parse_volume(a.volume);
+    return overrides;
+}
+
+RenderRequest request_of(const RenderArguments& a) {
+    RenderRequest request;
+    request.scene_path = a.scene;
+    request.settings = parse_settings(a.set);
+    request.allowed = a.allowed;
+    request.overrides = overrides_of(a);
+    if (!a.machine.empty()) request.machine = &parse_model("--machine", a.machine);
+    if (!a.cost_model.empty()) request.costs = read_cost_model(a.cost_model);
+    const ThreadChoice choice = choose_threads(a.threads);
+    request.threads = choice.threads;
+    request.threads_because = choice.because;
+    return request;
+}
+
+std::string default_out(const std::string& scene) {
+    return std::filesystem::path(scene).stem().string() + ".png";
+}
+
+/// What will be written. Throws unless the picture and the statistics are two files that can be
+/// written, and neither is one that the command line names to be read.
+std::vector<std::string> outputs_of(const RenderArguments& arguments, const std::string& out) {
+    std::vector<std::string> outputs{out};
+    if (!arguments.stats.empty()) {
+        require_spared({arguments.stats}, {{out, "the picture"}});
+        outputs.push_back(arguments.stats);
+    }
+    std::vector<InputFile> inputs{{arguments.scene, "the scene"}};
+    if (!arguments.cost_model.empty()) inputs.push_back({arguments.cost_model, "the cost model"});
+    require_spared(outputs, inputs);
+    for (const std::string& output : outputs) require_writable(output);
+    return outputs;
+}
+
+Metadata metadata_of(const Statistics& s, const RenderArguments& a, const RenderResult& result) {
+    std::string options;
+    const auto note = [&](const char* name, const std::string& value) {
+        if (!value.empty())
+            options += fmt::format("{}{} {}", options.empty() ? "" : " ", name, value);
+    };
+    const auto text = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
+    note("--size", a.size);
+    note("--crop", a.crop);
+    note("--levels", text(a.levels));
+    note("--zoom", a.zoom == 1 ? "" : fmt::format("{}", a.zoom));
+    note("--samples", text(a.samples));
+    note("--covers", a.covers);
+    note("--shading", a.shading);
+    note("--intersect", a.intersect);
+    note("--lipschitz", a.lipschitz);
+    note("--volume", a.volume);
+    note("--detail", text(a.detail));
+    note("--heap", text(a.heap));
+    const std::string settings = text_of(parse_settings(a.set));
+    if (!settings.empty()) options += (options.empty() ? "" : " ") + settings;
+    return {{"version", PXM_VERSION},
+            {"scene", s.scene},
+            {"engine", s.engine},
+            {"model", s.model},
+            {"numeric", s.numeric},
+            {"options", options},
+            {"pixel_at_eye", fmt::format("{:.17g}", result.pixel_at_eye)},
+            {"pixel_growth", fmt::format("{:.17g}", result.pixel_growth)}};
+}
+
+ExitCode explain(const RenderArguments& arguments) {
+    const auto [x, y] = parse_pixel(arguments.pixel);
+    put_result(explain_pixel(request_of(arguments), x, y));
+    return ExitCode::done;
+}
+
+ExitCode render_picture(const RenderArguments& arguments) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    if (!arguments.cost_model.empty() && arguments.machine.empty()) {
+        throw Error(ExitCode::command_line,
+                    "--cost-model: cycles are counted on the machine only (--machine MODEL)");
+    }
+    RenderRequest request = request_of(arguments);
+    const std::string out = arguments.out.empty() ? default_out(arguments.scene) : arguments.out;
+    const auto aovs = arguments.aov.empty() ? std::vector<Aov>{} : parse_aovs(arguments.aov);
+    require_image_format(out, aovs);
+    if (!request.machine && std::ranges::find(aovs, Aov::cycles) != aovs.end()) {
+        throw Error(ExitCode::command_line,
+                    "--aov cycles: cycles are counted on the machine only "
+                    "(--machine MODEL)");
+    }
+    request.outputs = outputs_of(arguments, out);
+
+    RenderResult result;
+    std::unique_ptr<ImageWriter> writer;
+    double write_seconds = 0;
+    const auto take = [&](const RenderResult& so_far) {
+        const double before = seconds();
+        if (!writer) {
+            const CropWindow& window = so_far.window;
+            writer = std::make_unique<ImageWriter>(
+                out, PixelSize{window.x1 - window.x0, window.y1 - window.y0}, aovs,
+                metadata_of(so_far.statistics, arguments, so_far));
+        }
+        writer->append(so_far.frame);
+        write_seconds += seconds() - before;
+    };
+    {
+        Progress progress(arguments.quiet);
+        RunControl control;
+        control.stop = &stop_requested();
+        if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
+        result = render(request, control, take);
+    }
+    if (result.stopped) return signal_exit_code();
+    tell(result.warnings);
+    const double before_end = seconds();
+    writer->finish();
+    PhaseSeconds& phases = result.statistics.seconds;
+    phases.write = write_seconds + seconds() - before_end;
+    phases.total = seconds();
+    if (!arguments.stats.empty()) {
+        write_text_safely(arguments.stats, statistics_json(result.statistics));
+    }
+    if (!arguments.quiet) {
+        tell(fmt::format(
+            "{}: {}x{} in {:.2f} s ({:.2f} Mray/s)\n", printable_path(out),
+            result.window.x1 - result.window.x0, result.window.y1 - result.window.y0, phases.total,
+            static_cast<double>(result.statistics.rays.eye_rays) / phases.render / 1e6));
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+CommandAction add_render_command(CLI::App& app) {
+    const auto a = std::make_shared<RenderArguments>();
+    CLI::App* command = app.add_subcommand("render", "Render a scene to a picture");
+    command->add_option("scene", a->scene, "The scene file (.pxm)")->required();
+    command->add_option("-o,--out", a->out,
+                        "The picture, by extension png, exr, tif, jpg, ...; "
+                        "default: the scene's name + .png");
+    auto* native = command->add_flag("--native", a->native, "On the cores at hand (default)");
+    command
+        ->add_option("--machine", a->machine, "On a simulated Pixel Machine: 964dX, 964, 940, ...")
+        ->excludes(native);
+    command->add_option("--cost-model", a->cost_model,
+                        "Cycles of the machine's operations, a JSON file (docs/machine.md)");
+    add_threads_option(*command, a->threads);
+    command->add_option("--stats", a->stats, "Write statistics to this JSON file");
+    add_set_option(*command, a->set);
+    command->add_option("--size", a->size, "WxH in pixels");
+    command->add_option("--crop", a->crop, "x0,y0,x1,y1: only this window, half open");
+    command->add_option("--levels", a->levels, "Stop after so many maps")
+        ->transform(whole_number(0, 1'000'000'000));
+    command->add_option("--zoom", a->zoom, "Move the eye to look + (eye - look) / F")
+        ->transform(positive_number());
+    command->add_option("--numeric", a->numeric, "dsp32, float or double");
+    command->add_option("--samples", a->samples, "Samples a pixel")
+        ->transform(whole_number(1, 65536));
+    command->add_option("--covers", a->covers, "on, off, area, or tmin,tmax in pixels");
+    command->add_option("--shading", a->shading, "constant, low-pass, high-pass or facet");
+    command->add_option("--intersect", a->intersect, "auto, heap, fast or wide");
+    command->add_option("--lipschitz", a->lipschitz, "auto, product, determinant or polar");
+    command->add_option("--volume", a->volume, "auto, sphere, box, oriented or hull");
+    command->add_option("--detail", a->detail, "Cells are terminal at so many pixels")
+        ->transform(positive_number());
+    command->add_option("--heap", a->heap, "Entries of the heap")
+        ->transform(whole_number(1, 65536));
+    command->add_option("--aov", a->aov,
+                        "Extra EXR channels: Z,node,cycles,volumes,level,heap,"
+                        "alpha,object,word,N");
+    command->add_option("--pixel", a->pixel, "x,y: print this pixel's descent instead");
+    command->add_flag("--quiet", a->quiet, "No progress bar, no summary");
+    add_allow_option(*command, a->allowed);
+    for (CLI::Option* option : command->get_options()) {
+        if (option->get_expected_min() > 0) option->check(some_text());
+    }
+    return [a] { return a->pixel.empty() ? render_picture(*a) : explain(*a); };
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,32 @@
+#include "host/commands/shared_options.hpp"
+
+#include "host/commands/option_checks.hpp"
+#include "host/process/granted_threads.hpp"
+
+namespace pxm::host {
+
+void add_threads_option(CLI::App& command, int& threads) {
+    command
+        .add_option("--threads", threads,
+                    "Host threads; default: the cores that the process may use")
+        ->transform(whole_number(1, most_threads));
+}
+
+void add_set_option(CLI::App& command, std::vector<std::string>& texts) {
+    command
+        .add_option("--set", texts,
+                    "NAME=NUMBER of a `let`, or BLOCK.DIRECTIVE=VALUE, as camera.fov=30 or "
+                    "object.elm.levels=5; any number of times")
+        ->allow_extra_args(false);
+}
+
+void add_allow_option(CLI::App& command, std::vector<std::string>& folders) {
+    command
+        .add_option("--allow", folders,
+                    "Scenes may include files and show pictures of this folder too; default: "
+                    "their own folder only. May be given again")
+        ->allow_extra_args(false)  // what follows DIR is another argument
+        ->check(some_text());
+}
+
+}  // namespace pxm::host

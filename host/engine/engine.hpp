@@ -1,0 +1,85 @@
+// The engines: the same node programs on the simulated machine or on the cores at hand.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/compiled/compiled_scene.hpp"
+#include "host/engine/frame.hpp"
+#include "host/engine/statistics.hpp"
+#include "pxm/cost.hpp"
+#include "pxm/model.hpp"
+
+namespace pxm::host {
+
+/// Which engine, and how.
+struct EngineChoice {
+    const Model* machine = nullptr;  // null: native
+    Numeric numeric = Numeric::single;
+    int threads = 1;                 // host threads, at least 1
+    std::int64_t program_bytes = 0;  // what a node of the machine loads, constants included
+    std::int64_t stack_bytes = 0;
+    CostModel costs = default_cost_model();
+    IntersectMethod intersect = IntersectMethod::heap;  // as chosen: not automatic
+};
+
+/// How a render is watched and stopped from outside.
+struct RunControl {
+    const std::atomic<bool>* stop = nullptr;         // set: give up soon
+    std::function<void(double)> progress = nullptr;  // share done, 0..1; called from any thread
+};
+
+/// A gathered picture with its counts. `stopped`: the run was given up and the frame is incomplete.
+struct EngineResult {
+    Frame frame;
+    RayStatistics rays;
+    std::optional<MachineStatistics> machine;
+    double render_seconds = 0;
+    bool stopped = false;
+};
+
+/// A scene in an engine's own form. It is loaded once and run for a window at a time, so that a
+/// picture in bands is not laid out again for each of them.
+class LoadedScene {
+  public:
+    LoadedScene() = default;
+    LoadedScene(const LoadedScene&) = delete;
+    LoadedScene& operator=(const LoadedScene&) = delete;
+    virtual ~LoadedScene() = default;
+
+    /// Renders a window of the image. Precondition: it lies in the image. Throws Error: a bank of
+    /// the machine is too small (5). What a thread throws is thrown again when all have ended.
+    [[nodiscard]] virtual EngineResult run(const CropWindow& window, const RunControl& control) = 0;
+
+    /// The scene as words for nodes (dsp_kernels/scene_block.hpp).
+    [[nodiscard]] const std::vector<std::uint32_t>& block() const { return block_; }
+
+  protected:
+    std::vector<std::uint32_t> block_;
+};
+
+// Each of these keeps a reference to `scene`, which must outlive what is returned.
+
+/// Broadcasts the scene to the nodes of a simulated machine; each run() is of a fresh machine.
+/// Throws Error: a bank is too small (5).
+[[nodiscard]] std::unique_ptr<LoadedScene> load_machine(const CompiledScene& scene,
+                                                        const EngineChoice& choice);
+
+/// The node program on the cores at hand: 8x8 tiles (one pixel of each of the 64 nodes).
+[[nodiscard]] std::unique_ptr<LoadedScene> load_reference(const CompiledScene& scene,
+                                                          const EngineChoice& choice);
+
+/// The whole crop window, loaded for this one run.
+[[nodiscard]] EngineResult run_on_machine(const CompiledScene& scene, const EngineChoice& choice,
+                                          const RunControl& control);
+[[nodiscard]] EngineResult run_reference(const CompiledScene& scene, const EngineChoice& choice,
+                                         const RunControl& control);
+
+/// One pixel with everything that happened to cells on its ray, as text (`--pixel x,y`).
+[[nodiscard]] std::string describe_pixel(const CompiledScene& scene, Numeric numeric, long x,
+                                         long y);
+
+}  // namespace pxm::host

@@ -1,0 +1,101 @@
+// The reference engine: the node program itself on the cores at hand, tile by tile.
+#include <algorithm>
+
+#include "host/engine/engine.hpp"
+#include "host/engine/gather.hpp"
+#include "host/engine/tiles.hpp"
+#include "host/node_program/crowded.hpp"
+#include "host/node_program/instances.hpp"
+#include "pxm/frame_buffer.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr long part_side = 8 * tile_side;  // of what one thread renders at a stretch, at most
+
+/// The part of a tile that lies in the window.
+kernels::PixelShare tile_share(const CropWindow& window, long left, long top) {
+    const auto pixel = [](long v) { return static_cast<std::uint32_t>(v); };
+    return {pixel(std::max(left, window.x0)),
+            pixel(std::max(top, window.y0)),
+            pixel(std::min(left + tile_side, window.x1)),
+            pixel(std::min(top + tile_side, window.y1)),
+            1,
+            1};
+}
+
+/// What one thread renders with.
+template <class Real, kernels::Features features>
+class ReferenceTracer {
+  public:
+    ReferenceTracer(const CompiledScene& scene, const std::vector<std::uint32_t>& block,
+                    Frame& frame)
+        : scene_(scene),
+          block_(block),
+          frame_(frame),
+          node_(make_native_node<NativeNode<Real>>(scene, block)) {
+        clear_overflow();  // a thread keeps the flags of what it computed before
+    }
+
+    void render(long left, long top, const GoOn& go_on) {
+        kernels::pixel_program<features>(
+            node_, tile_share(frame_.crop, left, top),
+            [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
+                PixelRecord& record = frame_.at(x, y);
+                gather_pixel(scene_, block_, pixel, record, rays_);
+                const NodeId id = owner(model_, static_cast<int>(x), static_cast<int>(y));
+                record.node = static_cast<std::uint16_t>(id.row * model_.columns + id.column);
+                return go_on();
+            });
+    }
+
+    [[nodiscard]] const RayStatistics& finish() const { return rays_; }
+
+  private:
+    const CompiledScene& scene_;
+    const std::vector<std::uint32_t>& block_;
+    Frame& frame_;
+    const Model& model_ = *find_model("964");  // for the `node` channel
+    NativeNode<Real> node_;
+    RayStatistics rays_;
+};
+
+template <class Real, kernels::Features features>
+class LoadedReferenceScene : public LoadedScene {
+  public:
+    LoadedReferenceScene(const CompiledScene& scene, int threads)
+        : scene_(scene), threads_(threads) {
+        block_ = make_scene_block<Real>(scene);
+    }
+
+    EngineResult run(const CropWindow& window, const RunControl& control) override {
+        EngineResult result;
+        result.frame = Frame(scene_.size, window);
+        run_tiles(blocks_of_tiles(window, part_side, threads_), threads_, control, result, [&] {
+            return std::make_unique<ReferenceTracer<Real, features>>(scene_, block_, result.frame);
+        });
+        return result;
+    }
+
+  private:
+    const CompiledScene& scene_;
+    int threads_;
+};
+
+}  // namespace
+
+std::unique_ptr<LoadedScene> load_reference(const CompiledScene& scene,
+                                            const EngineChoice& choice) {
+    return with_instance(scene, choice.numeric, [&]<class Real, kernels::Features features>() {
+        return std::unique_ptr<LoadedScene>(
+            new LoadedReferenceScene<Real, features>(scene, choice.threads));
+    });
+}
+
+EngineResult run_reference(const CompiledScene& scene, const EngineChoice& choice,
+                           const RunControl& control) {
+    return load_reference(scene, choice)->run(scene.crop, control);
+}
+
+}  // namespace pxm::host

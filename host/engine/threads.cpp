@@ -1,0 +1,63 @@
+#include "host/engine/threads.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace pxm::host {
+
+namespace {
+
+/// Threads that wait for each other, so that all are there at once: how many of them start.
+int start_at_once(int count) {
+    std::mutex mutex;
+    std::condition_variable all_there;
+    bool done = false;
+    std::vector<std::jthread> threads;
+    try {
+        threads.reserve(static_cast<std::size_t>(count));
+        for (int i = 0; i < count; ++i) {
+            threads.emplace_back([&] {
+                std::unique_lock lock(mutex);
+                all_there.wait(lock, [&] { return done; });
+            });
+        }
+    } catch (const std::system_error&) {
+        // So many it is.
+    } catch (const std::bad_alloc&) {
+        // Here too.
+    }
+    {
+        const std::lock_guard lock(mutex);
+        done = true;
+    }
+    all_there.notify_all();
+    return static_cast<int>(threads.size());
+}
+
+}  // namespace
+
+// OpenMP keeps its threads for the next loop: only further ones are tried, and at once made its
+// own, before anybody else takes them. Where not all start, half of them leave the other half's
+// room to what the render needs. Not thread-safe: renders begin on one thread.
+int threads_that_start(int wanted) {
+    static int known = 1;
+    static bool is_limit = false;
+    if (is_limit || wanted <= known) return std::clamp(wanted, 1, known);
+    const int started = start_at_once(wanted - known);
+    is_limit = started < wanted - known;
+    known += is_limit ? started / 2 : started;
+#pragma omp parallel num_threads(known)
+    {
+        // Nothing to do but to be there.
+    }
+    return known;
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,33 @@
+// Bounding volumes that provably contain the attractor (Ch. 14, and thesis-notes "After the
+// thesis"). One ball and one box per follow set: for what may stand inside a map.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/fractal/system/contraction.hpp"
+#include "host/fractal/system/rifs.hpp"
+
+namespace pxm::host {
+
+struct Ball {
+    glm::dvec3 center{0.0};
+    double radius = 0;
+};
+
+struct Box {
+    glm::dvec3 low{0.0};
+    glm::dvec3 high{0.0};
+};
+
+/// Bounds of E_s for one follow set s. Each contains E_s with a relative margin of about 1e-9.
+struct Bounds {
+    Ball ball;
+    Box box;
+    double ball_slack = 0;  // ball.radius is at most (1 + ball_slack) times the smallest ball's
+};
+
+/// Bounds for every follow set. Precondition: the system contracts (`proof` is not none).
+[[nodiscard]] std::vector<Bounds> bound(const Rifs& rifs, const Contraction& contraction);
+
+}  // namespace pxm::host

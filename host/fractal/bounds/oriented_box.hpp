@@ -1,0 +1,28 @@
+// A box in axes of its own: for sets that are flat or long askew to the coordinates.
+#pragma once
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "host/fractal/bounds/inner_points.hpp"
+
+namespace pxm::host {
+
+/// The points center + sum of t_i half[i], |t_i| <= 1. The half axes are perpendicular.
+struct OrientedBox {
+    glm::dvec3 center{0.0};
+    std::array<glm::dvec3, 3> half{};
+};
+
+/// How far the box reaches in direction u.
+[[nodiscard]] double support(const OrientedBox& box, const glm::dvec3& u);
+
+/// The principal axes of points, as the columns of a rotation, longest first.
+[[nodiscard]] glm::dmat3 principal_axes(const Points& points);
+
+/// The box along `axes` (columns of a rotation) that ends at low and high, measured along the axes.
+[[nodiscard]] OrientedBox oriented_box(const glm::dmat3& axes, const glm::dvec3& low,
+                                       const glm::dvec3& high);
+
+}  // namespace pxm::host

@@ -1,0 +1,77 @@
+// The support functions of all E_s in many directions at once, from above: where contraction is
+// slow and turns, a descent meets too many cells, but h_s(u) = max h_t(u T_m^T) + u . a_m can be
+// iterated on a grid (thesis-notes, "After the thesis"; the polytopes of Lawlor and Hart 2003). The
+// grid lies on the octahedron |x|+|y|+|z| = n, in triangles. h is convex and homogeneous, so
+// between grid points it is at most the sum of their values: what is interpolated is a bound.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/fractal/system/rifs.hpp"
+
+namespace pxm::host {
+
+/// A triangulation of the directions.
+class DirectionGrid {
+  public:
+    DirectionGrid() = default;
+    explicit DirectionGrid(int steps);
+
+    /// u = sum of weight[i] * point(corner[i]), all weights at least 0.
+    struct Place {
+        std::array<int, 3> corner;
+        std::array<double, 3> weight;
+    };
+    /// Precondition: u is not zero.
+    [[nodiscard]] Place locate(const glm::dvec3& u) const;
+
+    [[nodiscard]] int size() const { return static_cast<int>(points_.size()); }
+    [[nodiscard]] const glm::dvec3& point(int i) const { return points_[i]; }
+    /// False for a place of the index that stands for no direction.
+    [[nodiscard]] bool is_point(int i) const { return points_[i] != glm::dvec3{0.0}; }
+    /// If h(u) <= |u| at all grid points u, what is interpolated is at most this times |u|
+    /// anywhere.
+    [[nodiscard]] double bulge() const;
+
+  private:
+    [[nodiscard]] int index(int x, int y, int sign_z) const;
+
+    int steps_ = 0;
+    std::vector<glm::dvec3> points_;  // upper half by x and y, then the lower half
+};
+
+/// Upper bounds of h_s on a grid, measured from a centre of each set.
+class SupportGrid {
+  public:
+    SupportGrid() = default;
+    SupportGrid(int steps, std::vector<glm::dvec3> centers);
+
+    [[nodiscard]] bool empty() const { return value_.empty(); }
+    /// An upper bound of h_set(u).
+    [[nodiscard]] double support(int set, const glm::dvec3& u) const;
+
+    [[nodiscard]] const DirectionGrid& directions() const { return directions_; }
+    [[nodiscard]] const glm::dvec3& center(int set) const { return center_[set]; }
+    /// h_set - u . center at grid point i.
+    [[nodiscard]] double& value(int set, int i) { return value_[set][i]; }
+    [[nodiscard]] double value(int set, int i) const { return value_[set][i]; }
+
+    /// One round of h_s(u) = max h_t(u T_m^T) + u . a_m over all sets and directions, never upward.
+    /// Returns the largest change as a share of the largest value of its set.
+    double iterate(const Rifs& rifs);
+
+    /// The map of the set that reaches farthest in direction u, by what the grid tells.
+    [[nodiscard]] int best_map(const Rifs& rifs, int set, const glm::dvec3& u) const;
+
+  private:
+    [[nodiscard]] double reach_of_map(const Rifs& rifs, int map, const glm::dvec3& u) const;
+    [[nodiscard]] double from_center(int set, const glm::dvec3& u) const;
+
+    DirectionGrid directions_;
+    std::vector<glm::dvec3> center_;
+    std::vector<std::vector<double>> value_;  // by set, then grid point
+};
+
+}  // namespace pxm::host

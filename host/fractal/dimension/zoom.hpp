@@ -1,0 +1,71 @@
+// A random place of an attractor, and what of the attractor lies around it, from one scale to the
+// next finer one: how much of a measure the boxes hold that the place lies in.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <random>
+#include <vector>
+
+#include "host/fractal/bounds/bounds.hpp"
+#include "host/fractal/system/rifs.hpp"
+
+namespace pxm::host {
+
+/// What all places of one system share.
+struct ZoomSystem {
+    /// `bounds` as from bound().
+    ZoomSystem(const Rifs& rifs, const std::vector<Bounds>& bounds);
+
+    const Rifs& rifs;
+    std::vector<double> lip;         // per map
+    std::vector<double> diameter;    // per follow set: of a ball around E_s
+    std::vector<glm::dvec3> center;  // and its centre
+    std::vector<glm::dvec3> inner;   // per follow set: a point of E_s
+    bool similitudes = true;         // the constants of words are the products of the maps'
+    double finest = 0;               // the diameter of cells that are points, of a box's side
+    std::vector<std::vector<double>> choice;  // per follow set: the maps' probabilities
+};
+
+/// The same numbers from the same seed, on every computer.
+class Dice {
+  public:
+    explicit Dice(std::uint64_t seed) : random_(seed) {}
+    /// From 0 to 1, evenly.
+    [[nodiscard]] double next() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+
+  private:
+    std::mt19937_64 random_;
+};
+
+class Zoom {
+  public:
+    explicit Zoom(const ZoomSystem& system);
+
+    /// To boxes of `side`, which is less than before. The mean, over places of the grid, of one
+    /// over the measure of the box that the place lies in; its mean over places is the number of
+    /// boxes. Each cell of the attractor that is small against a box counts as one point. Nothing
+    /// more can be done if it is 0: there are too many cells. Adds the cells looked at to `visits`.
+    [[nodiscard]] double to(double side, Dice& dice, long& visits);
+
+  private:
+    struct Cell {
+        Affine map;
+        int set = 0;
+        double size = 1;      // by which the map stretches at most
+        double diameter = 0;  // of the cell, at most
+        double measure = 1;
+    };
+
+    [[nodiscard]] Cell child(const Cell& cell, int map, double probability) const;
+    [[nodiscard]] bool choose_place(double largest, Dice& dice, long& visits);
+    [[nodiscard]] bool gather(double side, double largest, long& visits);
+    [[nodiscard]] double one_over_measure(double side, Dice& dice) const;
+
+    const ZoomSystem* system_;
+    Cell own_;  // the cell that the place is the point of
+    glm::dvec3 place_{0.0};
+    std::vector<Cell> around_;  // cells that may have points in a box with the place
+};
+
+}  // namespace pxm::host

@@ -1,0 +1,49 @@
+// The chaos game for any RIFS, weakly connected ones included. Alg. 7.1 carries one point on and
+// on, each new map on the outside; here every point has a random word of its own, outermost map
+// first, which goes on until what is left of the attractor inside it is below the resolution of a
+// double. So points are independent, they come with exactly the distribution of a random descent
+// from the start (in a follow set, map m with probability weight_m over the sum of the set's
+// weights), and none is a repetition unless the attractor leaves no choice.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "host/fractal/measure/random_words.hpp"
+#include "host/fractal/system/rifs.hpp"
+
+namespace pxm::host {
+
+/// A point of the attractor and what its word does to a colour.
+struct CloudPoint {
+    glm::dvec3 place{0.0};
+    ColorBlend blend;
+};
+
+class ChaosGame {
+  public:
+    /// `weights` and `colors` (r,g,b,a) per map. The same seed gives the same points, whatever
+    /// draws them. Precondition: the system contracts.
+    ChaosGame(const Rifs& rifs, const std::vector<double>& weights,
+              const std::vector<glm::dvec4>& colors, std::uint64_t seed);
+
+    /// The next point.
+    [[nodiscard]] CloudPoint next();
+
+  private:
+    [[nodiscard]] std::uint64_t random_bits();
+
+    RandomWords words_;
+    std::vector<glm::dvec3> inner_;  // per follow set: a point of E_s
+    std::vector<double> reach_;      // and how far E_s extends around it, about
+    double negligible_ = 0;          // a size that makes no difference
+    std::uint32_t start_;
+    std::uint64_t seed_;
+    std::uint64_t counter_ = 0;
+    std::uint64_t spare_bits_ = 0;
+    bool has_spare_ = false;
+};
+
+}  // namespace pxm::host

@@ -1,0 +1,39 @@
+// Whether the cells of a shape overlap so much that a ray must remember which it has opened
+// (docs/overlaps.md), and what native nodes need for that.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "host/compiled/compiled_scene.hpp"
+#include "host/node_program/native_node.hpp"
+
+namespace pxm::host {
+
+/// Whether words by the thousand lead to cells around some points of the attractor, and four or
+/// more of them to (nearly) the same cell. Looks at cells down to 1/256 of the outermost one.
+/// No, if maps were lifted.
+[[nodiscard]] bool is_crowded(const CompiledShape& shape);
+[[nodiscard]] std::vector<bool> crowded_shapes(const CompiledScene& scene);
+
+/// Whether an object of the scene has such a shape.
+[[nodiscard]] bool is_crowded(const CompiledScene& scene);
+
+/// Entries of the heap where cells are crowded. A larger heap changes no picture
+/// (dsp_kernels/heap.hpp).
+inline constexpr long crowded_heap = 1 << 16;
+
+/// A native node for a scene whose cells are opened by searches. In dsp32 it is what it is on the
+/// machine: native dsp32 is there to show what the machine shows.
+template <class Node>
+[[nodiscard]] Node make_native_node(const CompiledScene& scene,
+                                    std::span<const std::uint32_t> block) {
+    using Real = typename Node::Real;
+    const bool known = !std::is_same_v<Real, dsp32::Float> && is_crowded(scene);
+    return Node(block, scene.texture_words, known ? std::max(scene.heap, crowded_heap) : scene.heap,
+                sizeof(kernels::Cell<Real>), known ? OpenedCells::known : OpenedCells::forgotten);
+}
+
+}  // namespace pxm::host

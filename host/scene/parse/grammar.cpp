@@ -1,0 +1,151 @@
+#include "host/scene/parse/grammar.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace pxm::host {
+namespace {
+
+constexpr Directive ifs_directives[] = {
+    {"newmap", Values::none, Times::many},        {"scale", Values::needed, Times::many},
+    {"rotate", Values::needed, Times::many},      {"translate", Values::needed, Times::many},
+    {"matrix", Values::needed, Times::many},      {"tetrahedron", Values::needed, Times::many},
+    {"color", Values::needed, Times::once_a_map}, {"weight", Values::needed, Times::once_a_map},
+    {"follow", Values::needed, Times::many},      {"start"},
+};
+constexpr Directive object_directives[] = {
+    {"ifs"},
+    {"sphere", Values::optional, Times::many},
+    {"box", Values::optional, Times::many},
+    {"cone", Values::none, Times::many},
+    {"cylinder", Values::none, Times::many},
+    {"hull", Values::none, Times::many},
+    {"auto", Values::none, Times::many},
+    {"scale", Values::needed, Times::many},
+    {"rotate", Values::needed, Times::many},
+    {"translate", Values::needed, Times::many},
+    {"matrix", Values::needed, Times::many},
+    {"color"},
+    {"opacity"},
+    {"diffuse"},
+    {"reflect"},
+    {"levels"},
+};
+constexpr Directive plane_directives[] = {
+    {"point"}, {"normal"}, {"color"}, {"texture"}, {"reflect"},
+};
+constexpr Directive texture_directives[] = {
+    {"file", Values::needed, Times::many},
+    {"ifs", Values::needed, Times::many},
+    {"wood", Values::none, Times::many},
+    {"size"},
+    {"color"},
+    {"color2"},
+};
+constexpr Directive light_directives[] = {
+    {"direction"},
+    {"position"},
+    {"color"},
+    {"shadow"},
+};
+constexpr Directive camera_directives[] = {
+    {"eye"}, {"look"}, {"up"}, {"fov"}, {"orthographic"},
+};
+constexpr Directive image_directives[] = {{"size"}, {"crop"}};
+constexpr Directive render_directives[] = {
+    {"ambient"}, {"background"}, {"shading"}, {"covers"},    {"samples"}, {"intersect"},
+    {"numeric"}, {"detail"},     {"volume"},  {"lipschitz"}, {"heap"},    {"bounces"},
+};
+
+constexpr BlockGrammar blocks[] = {
+    {"ifs", Naming::needed, ifs_directives},      {"object", Naming::allowed, object_directives},
+    {"plane", Naming::allowed, plane_directives}, {"texture", Naming::needed, texture_directives},
+    {"light", Naming::allowed, light_directives}, {"camera", Naming::allowed, camera_directives},
+    {"image", Naming::none, image_directives},    {"render", Naming::none, render_directives},
+};
+
+constexpr std::array<std::string_view, 6> number_words{"pi", "phi", "sqrt", "sin", "cos", "tan"};
+
+/// Insertions, deletions, replacements and exchanges of neighbours that turn `a` into `b`.
+int edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::vector<int>> cost(a.size() + 1, std::vector<int>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                cost[i][j] = static_cast<int>(i + j);
+                continue;
+            }
+            const int replaced = cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+        }
+    }
+    return cost[a.size()][b.size()];
+}
+
+std::string suggest(std::string_view word, const std::vector<std::string_view>& candidates) {
+    constexpr std::size_t longest = 32;  // no keyword is near a longer word
+    constexpr int far = 3;
+    if (word.size() > longest) return {};
+    std::string_view nearest;
+    int least = far;
+    for (const std::string_view candidate : candidates) {
+        const int distance = edit_distance(word, candidate);
+        // A short word shares too little with what is two edits away.
+        const bool near = distance <= 1 ? word.size() > 1 : word.size() > 4;
+        if (!near || distance >= least) continue;
+        least = distance;
+        nearest = candidate;
+    }
+    return nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest);
+}
+
+}  // namespace
+
+const BlockGrammar* find_block(std::string_view kind) {
+    if (kind == "rifs") kind = "ifs";
+    const auto* found = std::ranges::find(blocks, kind, &BlockGrammar::kind);
+    return found == std::end(blocks) ? nullptr : found;
+}
+
+int BlockGrammar::find(std::string_view word) const {
+    const auto found = std::ranges::find(directives, word, &Directive::word);
+    return found == directives.end() ? -1 : static_cast<int>(found - directives.begin());
+}
+
+bool is_number_word(std::string_view word) {
+    return std::ranges::find(number_words, word) != number_words.end();
+}
+
+bool is_keyword(std::string_view word) {
+    if (find_block(word) != nullptr || word == "let" || word == "include") return true;
+    return is_number_word(word) || std::ranges::any_of(blocks, [&](const BlockGrammar& block) {
+               return block.find(word) >= 0;
+           });
+}
+
+std::string suggest_directive(std::string_view word, const BlockGrammar& block) {
+    std::vector<std::string_view> candidates;
+    for (const Directive& directive : block.directives) candidates.push_back(directive.word);
+    return suggest(word, candidates);
+}
+
+std::string suggest_block(std::string_view word) {
+    std::vector<std::string_view> candidates{"let", "include"};
+    for (const BlockGrammar& block : blocks) candidates.push_back(block.kind);
+    return suggest(word, candidates);
+}
+
+std::string directive_list(const BlockGrammar& block) {
+    std::string list;
+    for (const Directive& directive : block.directives)
+        list += (list.empty() ? "" : ", ") + std::string(directive.word);
+    return list;
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,192 @@
+// Where a tile's pixels see cells, in lanes: the columns and rows of the picture that a cell may be
+// seen in, and the shadow that its volume casts there. As meet() of dsp_kernels/beam.hpp, but the
+// rectangle is one of pixels. In double.
+#if defined(PXM_HOST_WIDE_AREA_TILE_VIEW_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PXM_HOST_WIDE_AREA_TILE_VIEW_INL
+#undef PXM_HOST_WIDE_AREA_TILE_VIEW_INL
+#else
+#define PXM_HOST_WIDE_AREA_TILE_VIEW_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "host/wide/area/area_search.hpp"
+#include "host/wide/packet/lanes.inl"
+
+HWY_BEFORE_NAMESPACE();
+namespace pxm::host::wide::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The children of a cell in lanes: rows of the scratch table.
+struct BeamRows {
+    static constexpr int center = 0;  // 3
+    static constexpr int key = 3;
+    static constexpr int first_column = 4;
+    static constexpr int last_column = 5;
+    static constexpr int first_row = 6;
+    static constexpr int last_row = 7;
+    static constexpr int diameter = 8;
+    static constexpr int column = 9;
+    static constexpr int row = 10;
+    static constexpr int shadow = 11;  // 6, see CellShadow
+    static constexpr int near = 17;
+    static constexpr int depth = 18;
+    static constexpr int over_s = 19;
+    static constexpr int left = 20;  // the rectangle around, in columns and rows
+    static constexpr int right = 21;
+    static constexpr int top = 22;
+    static constexpr int bottom = 23;
+    static constexpr int nearest = 24;  // no point of the cell is nearer
+    static constexpr int axes = 25;     // 9
+    static constexpr int count = 34;
+};
+static_assert(BeamRows::count <= beam_scratch_rows);
+
+template <class V>
+struct LaneReach {
+    V x, y, s, z, any;
+};
+
+/// The way to the centres of cells: along it their own pixels look.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE Lanes3<V> way_to(D d, const TileView& view, const Lanes3<V>& center) {
+    if (!view.perspective) return broadcast(d, &view.along.x);
+    const V inverse = hn::Div(hn::Set(d, 1.0), hn::Sqrt(dot(center, center)));
+    return {hn::Mul(center.x, inverse), hn::Mul(center.y, inverse), hn::Mul(center.z, inverse)};
+}
+
+/// Pixels between two columns (or rows) of the picture, counted from the tile's first.
+template <class V>
+struct LaneSpan {
+    V first, last;
+};
+
+/// The pixels that a cell between low and high may be seen in: each looks at places from its corner
+/// + `from` to its corner + `to`.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE LaneSpan<V> span_of(D d, V low, V high, double from, double to) {
+    constexpr double middle = tile_side / 2.0;
+    constexpr double last = tile_side - 1.0;
+    constexpr double rounding = 1e-6;  // of a pixel: cells that touch leave none between them
+    const V first = hn::Ceil(hn::Add(low, hn::Set(d, middle - to - rounding)));
+    const V end = hn::Floor(hn::Add(high, hn::Set(d, middle - from + rounding)));
+    // An empty span stays empty: whole numbers just outside will do.
+    return {hn::Min(hn::Max(first, hn::Zero(d)), hn::Set(d, last + 1)),
+            hn::Max(hn::Min(end, hn::Set(d, last)), hn::Set(d, -1.0))};
+}
+
+/// Where the centres of cells are seen.
+template <class V>
+struct LanePlace {
+    V column, row, over_s;
+};
+
+/// Where cells are seen; a cell that is not seen has an empty span of columns.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& center,
+                                  const LaneReach<V>& reach, V from, double* rows, int stride) {
+    const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * stride; };
+    const auto along = [&](const glm::dvec3& way, double offset) HWY_ATTR {
+        return hn::Add(dot(center, broadcast(d, &way.x)), hn::Set(d, offset));
+    };
+    const V x = along(view.x, view.x0), y = along(view.y, view.y0), s = along(view.s, view.s0);
+    const V depth =
+        view.perspective ? hn::Sqrt(dot(center, center)) : along(view.along, view.along0);
+    const V near = hn::Sub(s, reach.s), far = hn::Add(s, reach.s);
+    const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
+    const V over_near = hn::Div(one, near), over_far = hn::Div(one, far);
+    const auto around = hn::Le(near, zero);  // the eye: it may be anywhere
+    const V anywhere = hn::Set(d, 1e6);
+    const auto bounds = [&](V middle, V half) HWY_ATTR {
+        const V low = hn::Sub(middle, half), high = hn::Add(middle, half);
+        const V first = hn::Mul(low, hn::IfThenElse(hn::Lt(low, zero), over_near, over_far));
+        const V last = hn::Mul(high, hn::IfThenElse(hn::Lt(high, zero), over_far, over_near));
+        return LaneSpan<V>{hn::IfThenElse(around, hn::Neg(anywhere), first),
+                           hn::IfThenElse(around, anywhere, last)};
+    };
+    const LaneSpan<V> seen_x = bounds(x, reach.x), seen_y = bounds(y, reach.y);
+    const LaneSpan<V> columns = span_of(d, seen_x.first, seen_x.last, view.low_x, view.high_x);
+    const LaneSpan<V> lines = span_of(d, seen_y.first, seen_y.last, view.low_y, view.high_y);
+    const auto ahead = hn::And(hn::Le(from, hn::Add(depth, reach.z)), hn::Lt(zero, far));
+    store3(center, d, row(BeamRows::center), stride);
+    hn::StoreU(hn::Max(from, hn::Sub(depth, reach.z)), d, row(BeamRows::key));
+    hn::StoreU(columns.first, d, row(BeamRows::first_column));
+    hn::StoreU(hn::IfThenElse(ahead, columns.last, hn::Set(d, -1.0)), d,
+               row(BeamRows::last_column));
+    hn::StoreU(lines.first, d, row(BeamRows::first_row));
+    hn::StoreU(lines.last, d, row(BeamRows::last_row));
+    hn::StoreU(near, d, row(BeamRows::near));
+    hn::StoreU(depth, d, row(BeamRows::depth));
+    const V over_s = hn::Div(one, s);
+    const LanePlace<V> place{hn::Mul(x, over_s), hn::Mul(y, over_s), over_s};
+    hn::StoreU(place.column, d, row(BeamRows::column));
+    hn::StoreU(place.row, d, row(BeamRows::row));
+    hn::StoreU(over_s, d, row(BeamRows::over_s));
+    hn::StoreU(hn::Sub(depth, reach.any), d, row(BeamRows::nearest));
+    hn::StoreU(seen_x.first, d, row(BeamRows::left));
+    hn::StoreU(seen_x.last, d, row(BeamRows::right));
+    hn::StoreU(seen_y.first, d, row(BeamRows::top));
+    hn::StoreU(seen_y.last, d, row(BeamRows::bottom));
+    return place;
+}
+
+/// The shadows of volumes in the picture, in columns and rows from their centres: the points with
+///     a x^2 + b x y + c y^2 <= 1       (balls: a, b, c), or
+///     |n . (x, y)| <= 1 for three n    (boxes: three times n's coordinates).
+/// A half axis reaches that far along X, Y and S.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE void cast_cells(D d, const LanePlace<V>& place, const Lanes3<V>& axes_x,
+                           const Lanes3<V>& axes_y, const Lanes3<V>& axes_s, bool ball,
+                           double* rows, int stride) {
+    const auto aside = [&](V along, V away, V at) HWY_ATTR {
+        return hn::Mul(hn::Sub(along, hn::Mul(at, away)), place.over_s);
+    };
+    const auto of = [&](const Lanes3<V>& along, V at) HWY_ATTR {
+        return Lanes3<V>{aside(along.x, axes_s.x, at), aside(along.y, axes_s.y, at),
+                         aside(along.z, axes_s.z, at)};
+    };
+    const Lanes3<V> x = of(axes_x, place.column), y = of(axes_y, place.row);
+    const V one = hn::Set(d, 1.0);
+    const auto put = [&](int i, V v) HWY_ATTR {
+        hn::StoreU(v, d, rows + static_cast<std::ptrdiff_t>(BeamRows::shadow + i) * stride);
+    };
+    if (ball) {
+        const V a = dot(x, x), b = dot(x, y), c = dot(y, y);
+        const V inverse = hn::Div(one, hn::Sub(hn::Mul(a, c), hn::Mul(b, b)));
+        put(0, hn::Mul(c, inverse));
+        put(1, hn::Mul(hn::Set(d, -2.0), hn::Mul(b, inverse)));
+        put(2, hn::Mul(a, inverse));
+        return;
+    }
+    const auto area = [&](V ax, V ay, V bx, V by)
+                          HWY_ATTR { return hn::Abs(hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx))); };
+    const V yz = area(x.y, y.y, x.z, y.z), zx = area(x.z, y.z, x.x, y.x),
+            xy = area(x.x, y.x, x.y, y.y);
+    // Beside an edge lies all that the other two edges reach; one that is seen end on bounds
+    // nothing.
+    const auto edge = [&](int i, V ax, V ay, V reach) HWY_ATTR {
+        const auto seen = hn::Lt(hn::Zero(d), reach);
+        const V inverse = hn::IfThenElseZero(seen, hn::Div(one, reach));
+        put(2 * i, hn::Neg(hn::Mul(ay, inverse)));
+        put(2 * i + 1, hn::Mul(ax, inverse));
+    };
+    edge(0, x.x, y.x, hn::Add(xy, zx));
+    edge(1, x.y, y.y, hn::Add(xy, yz));
+    edge(2, x.z, y.z, hn::Add(zx, yz));
+}
+
+/// How far the half axes go along a functional.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE Lanes3<V> axes_along(D d, const Lanes3x3<V>& axes, const glm::dvec3& way) {
+    const Lanes3<V> w = broadcast(d, &way.x);
+    return {dot(axes.row[0], w), dot(axes.row[1], w), dot(axes.row[2], w)};
+}
+
+}  // namespace pxm::host::wide::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

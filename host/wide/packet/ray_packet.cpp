@@ -1,0 +1,167 @@
+#include "host/wide/packet/ray_packet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace pxm::host::wide {
+
+namespace {
+
+glm::dvec3 in_frame(const RayBundle& bundle, const glm::dvec3& v) {
+    return {glm::dot(v, bundle.axis[0]), glm::dot(v, bundle.axis[1]), glm::dot(v, bundle.axis[2])};
+}
+
+/// A point of the picture's plane, in pixels from the tile's first ray.
+glm::dvec3 on_plane(const RayBundle& bundle, double column, double row) {
+    return bundle.fan.first + bundle.fan.per_column * column + bundle.fan.per_row * row;
+}
+
+/// Where a ray is beside the axis: at a depth of 1, or everywhere.
+glm::dvec2 beside_axis(const RayBundle& bundle, const glm::dvec3& p) {
+    return bundle.perspective ? glm::dvec2{p.x / p.z, p.y / p.z} : glm::dvec2{p.x, p.y};
+}
+
+std::uint64_t pixels_inside(const CropWindow& window, long left, long top) {
+    const bool whole = window.x0 <= left && left + tile_side <= window.x1 && window.y0 <= top &&
+                       top + tile_side <= window.y1;
+    if (whole) return ~std::uint64_t{0};
+    std::uint64_t inside = 0;
+    for (int ray = 0; ray < bundle_rays; ++ray) {
+        const long x = left + ray % tile_side;
+        const long y = top + ray / tile_side;
+        if (window.x0 <= x && x < window.x1 && window.y0 <= y && y < window.y1) {
+            inside |= std::uint64_t{1} << ray;
+        }
+    }
+    return inside;
+}
+
+/// What lies between four corners is nowhere farther from the axis than they are.
+void reach_corners(RayBundle& bundle) {
+    constexpr double last = tile_side - 1;
+    glm::dvec2 farthest{0, 0};
+    for (const double row : {0.0, last}) {
+        for (const double column : {0.0, last}) {
+            farthest =
+                glm::max(farthest, glm::abs(beside_axis(bundle, on_plane(bundle, column, row))));
+        }
+    }
+    const glm::dvec2 none{0, 0};
+    const glm::dvec2 constant = bundle.perspective ? none : farthest;
+    const glm::dvec2 growing = bundle.perspective ? farthest : none;
+    bundle.reach_u0 = constant.x;
+    bundle.reach_v0 = constant.y;
+    bundle.reach_u1 = growing.x;
+    bundle.reach_v1 = growing.y;
+    bundle.most_at_origin = bundle.pixel_at_origin;
+    bundle.most_growth = bundle.pixel_growth * std::sqrt(1 + glm::dot(growing, growing));
+}
+
+}  // namespace
+
+void aim_at_tile(RayBundle& bundle, const CompiledCamera& camera, const CropWindow& window,
+                 long left, long top, const glm::dvec2& place) {
+    constexpr double half = tile_side / 2.0;
+    const auto at = [&](double column, double row) {
+        return camera.corner + camera.across * (static_cast<double>(left) + column) +
+               camera.down * (static_cast<double>(top) + row);
+    };
+    bundle.perspective = camera.projection == kernels::Projection::perspective;
+    bundle.origin = glm::dvec3{0.0};
+    bundle.axis[2] = glm::normalize(bundle.perspective ? at(half, half) : camera.forward);
+    bundle.axis[0] =
+        glm::normalize(camera.across - bundle.axis[2] * glm::dot(camera.across, bundle.axis[2]));
+    bundle.axis[1] = glm::cross(bundle.axis[2], bundle.axis[0]);
+    bundle.fan = {in_frame(bundle, at(place.x, place.y)), in_frame(bundle, camera.across),
+                  in_frame(bundle, camera.down)};
+    bundle.is_spread = false;
+    bundle.any_hit = false;
+    bundle.aspect = {AspectOf::Kind::eye, left, top};
+    bundle.pixel_at_origin = camera.pixel_at_eye;
+    bundle.pixel_growth = camera.pixel_growth;
+    bundle.inside = pixels_inside(window, left, top);
+    bundle.end.fill(std::numeric_limits<double>::infinity());
+    reach_corners(bundle);
+}
+
+bool go_together(const LoneRay& a, const LoneRay& b) {
+    constexpr double least_cosine = 0.9999;
+    constexpr double most_pixels = 2 * tile_side;  // apart, where they begin
+    if (glm::dot(a.direction, b.direction) < least_cosine) return false;
+    const glm::dvec3 apart = b.origin + b.start * b.direction - a.origin - a.start * a.direction;
+    const double pixel = a.pixel_at_origin + a.pixel_growth * a.start;
+    const double room = most_pixels * pixel;
+    if (glm::dot(apart, apart) > room * room) return false;
+    if (!std::isfinite(a.end) || !std::isfinite(b.end)) return true;
+    const double last = most_pixels * (a.pixel_at_origin + a.pixel_growth * a.end);
+    const glm::dvec3 apart_at_end = b.origin + b.end * b.direction - a.origin - a.end * a.direction;
+    return glm::dot(apart_at_end, apart_at_end) <= last * last;
+}
+
+void gather_rays(RayBundle& bundle, std::span<const LoneRay> rays) {
+    const auto count = static_cast<double>(rays.size());
+    glm::dvec3 way{0.0}, middle{0.0};
+    for (const LoneRay& ray : rays) {
+        way += ray.direction;
+        middle += (ray.origin + ray.start * ray.direction) / count;
+    }
+    const glm::dvec3 w = glm::normalize(way);
+    const glm::dvec3 other = std::abs(w.x) < 0.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0};
+    bundle.axis[2] = w;
+    bundle.axis[0] = glm::normalize(glm::cross(other, w));
+    bundle.axis[1] = glm::cross(w, bundle.axis[0]);
+    bundle.perspective = false;
+    bundle.is_spread = true;
+    bundle.aspect = {};
+    double behind = 0;
+    for (const LoneRay& ray : rays) {
+        const glm::dvec3 begin = ray.origin + ray.start * ray.direction - middle;
+        behind = std::min(behind, glm::dot(begin, w));
+    }
+    bundle.origin = middle + behind * w;
+    bundle.reach_u0 = bundle.reach_u1 = bundle.reach_v0 = bundle.reach_v1 = 0;
+    bundle.pixel_at_origin = bundle.pixel_growth = std::numeric_limits<double>::infinity();
+    bundle.most_at_origin = bundle.most_growth = -std::numeric_limits<double>::infinity();
+    bundle.inside = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const LoneRay& ray = rays[i];
+        const glm::dvec3 o = in_frame(bundle, ray.origin - bundle.origin);
+        const glm::dvec3 d = in_frame(bundle, ray.direction);
+        const glm::dvec2 beside1{d.x / d.z, d.y / d.z};
+        const glm::dvec2 beside0{o.x - o.z * beside1.x, o.y - o.z * beside1.y};
+        const double length = 1 / d.z;  // t = (z - o.z) length
+        const double pixel1 = ray.pixel_growth * length;
+        const double pixel0 = ray.pixel_at_origin - o.z * pixel1;
+        bundle.u0[i] = static_cast<float>(beside0.x);
+        bundle.v0[i] = static_cast<float>(beside0.y);
+        bundle.u1[i] = static_cast<float>(beside1.x);
+        bundle.v1[i] = static_cast<float>(beside1.y);
+        bundle.stretch[i] = static_cast<float>(length);
+        bundle.shrink2[i] = static_cast<float>(d.z * d.z);
+        bundle.start[i] = static_cast<float>(std::max(0.0, o.z + ray.start * d.z));
+        bundle.pixel0[i] = static_cast<float>(pixel0);
+        bundle.pixel1[i] = static_cast<float>(pixel1);
+        bundle.end[i] = o.z + ray.end * d.z;
+        bundle.inside |= std::uint64_t{1} << i;
+        bundle.reach_u0 = std::max(bundle.reach_u0, std::abs(beside0.x));
+        bundle.reach_v0 = std::max(bundle.reach_v0, std::abs(beside0.y));
+        bundle.reach_u1 = std::max(bundle.reach_u1, std::abs(beside1.x));
+        bundle.reach_v1 = std::max(bundle.reach_v1, std::abs(beside1.y));
+        bundle.pixel_at_origin = std::min(bundle.pixel_at_origin, pixel0);
+        bundle.pixel_growth = std::min(bundle.pixel_growth, pixel1);
+        bundle.most_at_origin = std::max(bundle.most_at_origin, pixel0);
+        bundle.most_growth = std::max(bundle.most_growth, pixel1);
+    }
+    for (std::size_t i = rays.size(); i < bundle_rays; ++i) {  // numbers that do no harm
+        for (float* lane : {bundle.u0, bundle.v0, bundle.u1, bundle.v1, bundle.start, bundle.pixel0,
+                            bundle.pixel1}) {
+            lane[i] = 0;
+        }
+        bundle.stretch[i] = bundle.shrink2[i] = 1;
+    }
+}
+
+}  // namespace pxm::host::wide

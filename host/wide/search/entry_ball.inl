@@ -1,0 +1,263 @@
+// A start cell of homotheties that is a ball, and the rays of the bundle: rays in lanes first, then
+// each alone, with the cells in lanes that its place in the aspect
+// (host/wide/tables/candidate_views.hpp) lists.
+#if defined(PXM_HOST_WIDE_SEARCH_ENTRY_BALL_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PXM_HOST_WIDE_SEARCH_ENTRY_BALL_INL
+#undef PXM_HOST_WIDE_SEARCH_ENTRY_BALL_INL
+#else
+#define PXM_HOST_WIDE_SEARCH_ENTRY_BALL_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/wide/search/homothety_entry.inl"
+#include "host/wide/search/homothety_levels.inl"
+#include "host/wide/search/homothety_single_ray.inl"
+
+HWY_BEFORE_NAMESPACE();
+namespace pxm::host::wide::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The rays of the bundle beside the centre of a start cell that is a ball, in units of its radius.
+/// Depths in the bundle's frame are (z + behind) / pace, with z in the aspect's.
+struct BallRays {
+    alignas(64) float x[bundle_rays];  // at the centre's depth in the aspect's frame
+    alignas(64) float y[bundle_rays];
+    alignas(64) float behind[bundle_rays];
+    alignas(64) float key[bundle_rays];  // in the bundle's frame
+};
+
+inline std::uint64_t meet_ball(const RayBundle& bundle, const AspectRays& aspect,
+                               const FixedCell& cell, const HullShadow& shadow,
+                               const ShadowRoom& room, BallRays& rays) {
+    const hn::ScalableTag<float> d;
+    using V = hn::VFromD<decltype(d)>;
+    const auto over = [&](double x) { return hn::Set(d, static_cast<float>(x / cell.size)); };
+    const V center_x = over(cell.center[0]), center_y = over(cell.center[1]);
+    const V far = over(cell.center[2]), near = over(1);
+    const double most =
+        std::max(room.pixel0 + room.pixel1 * (cell.center[2] + cell.size), room.least);
+    const V margin = over(most + cell.size * (bundle.reach_u1 + bundle.reach_v1));
+    std::uint64_t met = 0;
+    for (int i = 0; i < bundle_rays; i += static_cast<int>(hn::Lanes(d))) {
+        const V a = hn::LoadU(d, bundle.u1 + i), b = hn::LoadU(d, bundle.v1 + i);
+        const V u = hn::Add(hn::Mul(hn::LoadU(d, bundle.u0 + i), near), hn::Mul(a, far));
+        const V v = hn::Add(hn::Mul(hn::LoadU(d, bundle.v0 + i), near), hn::Mul(b, far));
+        const V x = hn::Sub(center_x, u);
+        const V y = hn::Sub(center_y, v);
+        const V shrink = hn::LoadU(d, bundle.shrink2 + i);
+        const BallPass<V> pass(x, y, hn::Set(d, 1.0F), a, b, shrink);
+        const V half = pass.half(shrink);
+        const V start = hn::Sub(hn::Mul(hn::LoadU(d, bundle.start + i), near), far);
+        const V key = hn::Max(hn::Sub(pass.ahead, half), start);
+        const auto turned = [&](int axis) HWY_ATTR {
+            return hn::Add(hn::Mul(x, hn::Set(d, aspect.turn[0][axis])),
+                           hn::Mul(y, hn::Set(d, aspect.turn[1][axis])));
+        };
+        const V behind = turned(2);
+        hn::StoreU(hn::Sub(turned(0), hn::Mul(hn::LoadU(d, aspect.a + i), behind)), d, rays.x + i);
+        hn::StoreU(hn::Sub(turned(1), hn::Mul(hn::LoadU(d, aspect.b + i), behind)), d, rays.y + i);
+        hn::StoreU(behind, d, rays.behind + i);
+        hn::StoreU(key, d, rays.key + i);
+        auto here = hn::Le(start, hn::Add(pass.ahead, half));  // not NaN
+        here = in_shadow(d, shadow, x, y, hn::Set(d, 1.0F), margin, here);
+        met |= lane_bits(d, here) << i;
+    }
+    return met & bundle.inside;
+}
+
+/// In shared aspects, where lists leave out what a ray cannot meet and the frame is not the
+/// bundle's.
+inline constexpr HullShadow no_shadow{};
+
+/// The rays of the bundle in the frame of their aspect.
+inline void spread_in_aspect(const WideScene& scene, SearchWorkspace& work) {
+    const hn::ScalableTag<float> d;
+    using V = hn::VFromD<decltype(d)>;
+    AspectRays& rays = work.aspect_rays;
+    if (rays.made_for == work.bundle_number) return;
+    rays.made_for = work.bundle_number;
+    rays.aspect = &aspect_of(scene, work.bundle, work.aspects);
+    const RayBundle& bundle = work.bundle;
+    for (int i = 0; i < 3; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            rays.turn[i][axis] =
+                static_cast<float>(glm::dot(bundle.axis[i], rays.aspect->view.axis[axis]));
+        }
+    }
+    for (int i = 0; i < bundle_rays; i += static_cast<int>(hn::Lanes(d))) {
+        const V u = hn::LoadU(d, bundle.u1 + i), v = hn::LoadU(d, bundle.v1 + i);
+        const auto along = [&](int axis) HWY_ATTR {
+            return hn::Add(hn::Add(hn::Mul(u, hn::Set(d, rays.turn[0][axis])),
+                                   hn::Mul(v, hn::Set(d, rays.turn[1][axis]))),
+                           hn::Set(d, rays.turn[2][axis]));
+        };
+        const V pace = along(2);
+        const V a = hn::Div(along(0), pace), b = hn::Div(along(1), pace);
+        const V stretch2 = hn::Add(hn::Add(hn::Mul(a, a), hn::Mul(b, b)), hn::Set(d, 1.0F));
+        hn::StoreU(pace, d, rays.pace + i);
+        hn::StoreU(a, d, rays.a + i);
+        hn::StoreU(b, d, rays.b + i);
+        hn::StoreU(hn::Div(hn::Set(d, 1.0F), stretch2), d, rays.shrink2 + i);
+    }
+}
+
+/// The list that decides for all rays of a bundle what they find in a start cell: its cells are
+/// terminal, and none before them is, wherever in the cell. Null if there is none.
+inline const HomothetyTable* deciding_table(const WideScene& scene, const SearchWorkspace& work,
+                                            const StartBelow& start) {
+    const FixedCell& cell = start.cell;
+    const WideSet& set = scene.sets[static_cast<std::size_t>(cell.set)];
+    if (set.composed.empty() || !work.aspect_rays.aspect->view.shared) return nullptr;
+    const ShadowRoom room(scene, work.bundle, start.object);
+    const double far = cell.center[2] + 1.5 * cell.size, near = cell.center[2] - 1.5 * cell.size;
+    const double most = std::max(room.least, room.pixel0 + room.pixel1 * far);
+    const double least = pixel_at(scene, work.bundle, cell.object, std::max(near, 0.0));
+    for (const HomothetyTable& table : set.composed) {
+        if (cell.constant * table.most_diameter > least) continue;
+        const bool leaves_none_out = most < cell.constant * table.least_skipped;
+        const bool fits = start.object.levels - cell.level >= static_cast<unsigned>(table.steps);
+        return leaves_none_out && fits ? &table : nullptr;
+    }
+    return nullptr;
+}
+
+/// The nearest of cells that are all terminal, if a ray meets one between its start and its best.
+/// Returns the lane, or -1; `ray.found` is its depth.
+HWY_INLINE std::int32_t nearest_cell(BallRay& ray, float x, float y, const ListedCells& cells,
+                                     Found& found) {
+    const hn::CappedTag<float, table_step> d;
+    const hn::RebindToSigned<decltype(d)> di;
+    using V = hn::VFromD<decltype(d)>;
+    constexpr int at_once = table_step;  // on every register
+    constexpr std::int32_t nothing = std::numeric_limits<std::int32_t>::max();
+    const V a = hn::Set(d, ray.a), b = hn::Set(d, ray.b), shrink = hn::Set(d, ray.shrink2);
+    const V start = hn::Set(d, ray.start);
+    V nearest = hn::Set(d, ray.best);
+    auto places = hn::Set(di, nothing);
+    for (int first = 0; first < cells.count; first += at_once) {
+        if (first > 0 &&
+            hn::GetLane(hn::MinOfLanes(d, nearest)) <= cells.z[first] - cells.radius[first]) {
+            break;
+        }
+        const int end = std::min(cells.count, first + at_once);
+        found.tested += static_cast<std::uint32_t>(end - first);
+        for (int i = first; i < end; i += static_cast<int>(hn::Lanes(d))) {
+            const V z = hn::LoadU(d, cells.z + i), r = hn::LoadU(d, cells.radius + i);
+            const V u = hn::Add(hn::Set(d, x), hn::Sub(hn::LoadU(d, cells.x + i), hn::Mul(a, z)));
+            const V v = hn::Add(hn::Set(d, y), hn::Sub(hn::LoadU(d, cells.y + i), hn::Mul(b, z)));
+            const BallPass<V> pass(u, v, r, a, b, shrink);
+            const V half = pass.half(shrink);
+            const V middle = hn::Add(z, pass.ahead);
+            const V key = hn::Max(hn::Sub(middle, half), start);
+            auto met = hn::Le(start, hn::Add(middle, half));  // not NaN
+            met = hn::And(met, hn::Lt(key, nearest));
+            met = hn::And(met, hn::FirstN(d, static_cast<std::size_t>(end - i)));
+            nearest = hn::IfThenElse(met, key, nearest);
+            places = hn::IfThenElse(hn::RebindMask(di, met), hn::Iota(di, i), places);
+        }
+    }
+    const float key = hn::GetLane(hn::MinOfLanes(d, nearest));
+    if (!(key < ray.best)) return -1;
+    const auto first = hn::RebindMask(di, hn::Eq(nearest, hn::Set(d, key)));
+    const auto place =
+        hn::GetLane(hn::MinOfLanes(di, hn::IfThenElse(first, places, hn::Set(di, nothing))));
+    ray.found = key;
+    return cells.lane[place];
+}
+
+/// A start cell that is a ball, and the rays that look for something inside.
+class BallVisit {
+  public:
+    BallVisit(const WideScene& scene, SearchWorkspace& work, const FixedCell& cell)
+        : scene_(scene),
+          work_(work),
+          seen_(work.aspect_rays),
+          start_(scene, cell, cell.center[2], cell.size),
+          shadow_(work.shadows[static_cast<std::size_t>(cell.object)]),
+          diameter_(static_cast<float>(cell.diameter)) {}
+
+    void visit(int index) {
+        const ShadowRoom room(scene_, work_.bundle, start_.object);
+        const std::uint64_t met = meet_ball(work_.bundle, seen_, start_.cell, shadow_, room, rays_);
+        if (met == 0) return;
+        const HomothetyTable* table = deciding_table(scene_, work_, start_);
+        if (table != nullptr) {
+            const AspectTable& lists =
+                seen_.aspect->table(scene_, start_.cell.object, start_.cell.set, *table);
+            follow_rays(work_, start_, index, met, rays_.key,
+                        [&](int i, float best, float& depth, Found& found)
+                            HWY_ATTR { return look_up(i, best, *table, lists, depth, found); });
+        } else {
+            fill_first(start_, work_.opened[0]);
+            follow_rays(work_, start_, index, met, rays_.key,
+                        [&](int i, float best, float& depth, Found& found)
+                            HWY_ATTR { return follow(i, best, depth, found); });
+        }
+    }
+
+  private:
+    [[nodiscard]] HWY_INLINE BallRay in_aspect(FixedRay ray, int i) const {
+        const float pace = seen_.pace[i], behind = rays_.behind[i];
+        ray.best = ray.best * pace - behind;
+        ray.start = ray.start * pace - behind;
+        ray.pixel_growth /= pace;
+        ray.pixel_base += ray.pixel_growth * behind;
+        const auto per_length = static_cast<float>(1 / start_.length);
+        return {ray,
+                seen_.a[i],
+                seen_.b[i],
+                seen_.shrink2[i],
+                per_length,
+                seen_.aspect->view.shared ? &no_shadow : &shadow_,
+                &scene_,
+                seen_.aspect,
+                start_.cell.object};
+    }
+    [[nodiscard]] HWY_INLINE float from_aspect(float depth, int i) const {
+        return (depth + rays_.behind[i]) / seen_.pace[i];
+    }
+    /// A ray that finds what it looks for in one list.
+    HWY_INLINE bool look_up(int i, float best, const HomothetyTable& table,
+                            const AspectTable& lists, float& depth, Found& found) const {
+        BallRay ray = in_aspect(ray_below(scene_, work_, start_, i, best), i);
+        const float x = rays_.x[i], y = rays_.y[i];
+        const std::int32_t lane = nearest_cell(ray, x, y, lists.at(table, -x, -y), found);
+        if (lane < 0) return false;
+        found.below_count = table.steps;
+        const auto& lanes = table.lanes[static_cast<std::size_t>(lane)];
+        std::copy_n(lanes.begin(), lanes.size(), found.below.begin());
+        depth = from_aspect(ray.found, i);
+        return true;
+    }
+    /// A ray that goes down level by level.
+    HWY_INLINE bool follow(int i, float best, float& depth, Found& found) {
+        const FixedRay fixed = ray_below(scene_, work_, start_, i, best);
+        if (start_.last || diameter_ <= fixed.pixel(depth)) {
+            found.below_count = 0;
+            return true;
+        }
+        BallRay ray = in_aspect(fixed, i);
+        if (!follow_fixed(scene_, work_, ray, {rays_.x[i], rays_.y[i], 0, 1}, found)) return false;
+        depth = from_aspect(ray.found, i);
+        return true;
+    }
+
+    const WideScene& scene_;
+    SearchWorkspace& work_;
+    const AspectRays& seen_;
+    const StartBelow start_;
+    const HullShadow& shadow_;
+    float diameter_;
+    BallRays rays_;
+};
+
+}  // namespace pxm::host::wide::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,69 @@
+// A start cell of homotheties that is a box, and the rays of the bundle: rays in lanes first, then
+// each alone.
+#if defined(PXM_HOST_WIDE_SEARCH_ENTRY_BOX_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PXM_HOST_WIDE_SEARCH_ENTRY_BOX_INL
+#undef PXM_HOST_WIDE_SEARCH_ENTRY_BOX_INL
+#else
+#define PXM_HOST_WIDE_SEARCH_ENTRY_BOX_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include "host/wide/search/grid_walk.inl"
+#include "host/wide/search/homothety_entry.inl"
+#include "host/wide/search/homothety_levels.inl"
+#include "host/wide/search/homothety_single_ray.inl"
+
+HWY_BEFORE_NAMESPACE();
+namespace pxm::host::wide::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Where a ray passes the planes through a box's centre, and its pace across each.
+HWY_INLINE PlaceBelow place_in_box(const StartRays& rays, int ray, BoxRay& box) {
+    float at[3];
+    for (int k = 0; k < 3; ++k) {
+        const float s = rays.direction[k][ray];
+        box.pace[k] = 1 / (s == 0 ? 1e-30F : s);
+        at[k] = -rays.origin[k][ray] * box.pace[k];
+    }
+    box.know_faces();
+    return {at[0], at[1], at[2], 1};
+}
+
+inline void visit_box(const WideScene& scene, SearchWorkspace& work, const FixedCell& cell,
+                      int index) {
+    SharedCell box;
+    box.spheres = false;
+    StartRays& rays = work.start;
+    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
+    rows_of(object, work.bundle, cell, box.rows, box.base);
+    const StartBelow start(scene, cell, box.base, 1);
+    const std::uint64_t met = meet_start_cell(work, box, rays);
+    fill_first(start, work.opened[0]);
+    const auto diameter = static_cast<float>(cell.diameter);
+    const auto follow = [&](int i, float best, float& depth, Found& found) HWY_ATTR {
+        BoxRay ray{ray_below(scene, work, start, i, best), {}};
+        if (start.last || diameter <= ray.pixel(depth)) {
+            found.below_count = 0;
+            return true;
+        }
+        const PlaceBelow at = place_in_box(rays, i, ray);
+        if (object.grid) {
+            const float center[3] = {at.x, at.y, at.z};
+            GridWalk walk(scene, ray);
+            const std::uint32_t left = object.levels - cell.level;
+            return ray.parallel ? walk.follow<true>(cell, center, rays.key[i], left, found, depth)
+                                : walk.follow<false>(cell, center, rays.key[i], left, found, depth);
+        }
+        if (!follow_fixed(scene, work, ray, at, found)) return false;
+        depth = ray.found;
+        return true;
+    };
+    follow_rays(work, start, index, met, rays.key, follow);
+}
+
+}  // namespace pxm::host::wide::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,85 @@
+// A start cell of homotheties, and what the rays below it begin with.
+#if defined(PXM_HOST_WIDE_SEARCH_HOMOTHETY_ENTRY_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PXM_HOST_WIDE_SEARCH_HOMOTHETY_ENTRY_INL
+#undef PXM_HOST_WIDE_SEARCH_HOMOTHETY_ENTRY_INL
+#else
+#define PXM_HOST_WIDE_SEARCH_HOMOTHETY_ENTRY_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <bit>
+
+#include "host/wide/search/entry_cell.inl"
+#include "host/wide/search/homothety_cells.inl"
+
+HWY_BEFORE_NAMESPACE();
+namespace pxm::host::wide::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A start cell, and what all rays below it have in common.
+struct StartBelow {
+    const FixedCell& cell;
+    const WideObject& object;
+    double base;  // depths in the cell are (z - base) / length
+    double length;
+    float least;  // no p is smaller
+    bool last;    // the cell itself is terminal whatever its size
+
+    StartBelow(const WideScene& scene, const FixedCell& from, double depth, double unit)
+        : cell(from),
+          object(scene.objects[static_cast<std::size_t>(from.object)]),
+          base(depth),
+          length(unit),
+          least(static_cast<float>(scene.detail * object.smallest_pixel)),
+          last(from.level == object.levels) {}
+};
+
+inline void fill_first(const StartBelow& start, OpenedCell& cell) {
+    cell.set = start.cell.set;
+    cell.constant = static_cast<float>(start.cell.constant);
+    cell.levels_left = start.object.levels - start.cell.level;
+}
+
+/// A ray below a start cell; depths in the bundle's frame, from the start cell's base.
+HWY_INLINE FixedRay ray_below(const WideScene& scene, const SearchWorkspace& work,
+                              const StartBelow& start, int ray, float best) {
+    const RayBundle& bundle = work.bundle;
+    const auto pixel1 = static_cast<double>(bundle.pixel1[ray]);
+    const double pixel0 = static_cast<double>(bundle.pixel0[ray]) + pixel1 * start.base;
+    FixedRay fixed;
+    fixed.best = best;
+    fixed.start =
+        static_cast<float>((static_cast<double>(bundle.start[ray]) - start.base) / start.length);
+    fixed.pixel_base = static_cast<float>(scene.detail * pixel0);
+    fixed.pixel_growth = static_cast<float>(scene.detail * pixel1 * start.length);
+    fixed.pixel_least = start.least;
+    return fixed;
+}
+
+/// Calls `follow(ray, key, best, depth)` for the rays that have met a start cell and found nothing
+/// nearer: whether there is something below it, and at which depth.
+template <class Follow>
+HWY_INLINE void follow_rays(SearchWorkspace& work, const StartBelow& start, int index,
+                            std::uint64_t met, const float* keys, const Follow& follow) {
+    const double per_length = 1 / start.length;
+    for (; met != 0; met &= met - 1) {
+        const int i = std::countr_zero(met);
+        const auto at = static_cast<std::size_t>(i);
+        Found& found = work.found[at];
+        ++found.tested;
+        const auto best = static_cast<float>((work.best[at] - start.base) * per_length);
+        if (!(keys[i] < best)) continue;
+        float depth = keys[i];
+        const bool improved = follow(i, best, depth, found);
+        if (found.given_up) leave_ray(work, i);
+        if (found.given_up || !improved) continue;
+        note_found(work, i, index, start.base + static_cast<double>(depth) * start.length);
+    }
+}
+
+}  // namespace pxm::host::wide::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,271 @@
+// The shared levels of an object whose maps are homotheties (Ch. 13): as shared_levels.inl, but a
+// cell is a centre and a size. In double.
+#if defined(PXM_HOST_WIDE_SEARCH_HOMOTHETY_LEVELS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PXM_HOST_WIDE_SEARCH_HOMOTHETY_LEVELS_INL
+#undef PXM_HOST_WIDE_SEARCH_HOMOTHETY_LEVELS_INL
+#else
+#define PXM_HOST_WIDE_SEARCH_HOMOTHETY_LEVELS_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "host/wide/search/packet_levels.inl"
+#include "host/wide/search/silhouette_cull.inl"
+
+HWY_BEFORE_NAMESPACE();
+namespace pxm::host::wide::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The centres of a set's children in the bundle's frame, in units of the cell's radius, made once
+/// a bundle.
+inline const LaneTable<double>& turn_children(const WideScene& scene, SearchWorkspace& work,
+                                              int object, int set) {
+    const hn::ScalableTag<double> d;
+    using V = hn::VFromD<decltype(d)>;
+    const auto at = static_cast<std::size_t>(set);
+    LaneTable<double>& turned = work.turned[at];
+    const auto& first = scene.objects[static_cast<std::size_t>(object)];
+    const std::uint64_t stamp =
+        work.bundle_number * scene.turns.size() + static_cast<std::uint64_t>(first.turn);
+    if (work.turned_for[at] == stamp) return turned;
+    work.turned_for[at] = stamp;
+    const HomothetyTable& table = scene.sets[at].children;
+    if (turned.empty()) turned = LaneTable<double>(3, table.stride);
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec3 unit = glm::normalize(first.to_unit.direction(work.bundle.axis[axis]));
+        for (int i = 0; i < table.stride; i += static_cast<int>(hn::Lanes(d))) {
+            const Lanes3<V> q = load3(d, table.twice.row(0) + i, table.stride);
+            hn::StoreU(dot(q, broadcast(d, &unit.x)), d, turned.row(axis) + i);
+        }
+    }
+    return turned;
+}
+
+/// The children of a fixed cell in lanes: rows of the scratch table.
+struct FixedRows {
+    static constexpr int center = 0;  // 3
+    static constexpr int size = 3;
+    static constexpr int near = 4;
+    static constexpr int far = 5;
+};
+
+/// How rays that move sideways by (a, b) per depth pass balls of radius r whose centres are (x, y)
+/// beside them at the centre's depth. `shrink2` is 1 / (1 + a^2 + b^2).
+template <class V>
+struct BallPass {
+    V ahead;  // depth of the foot of the perpendicular from the centre: rays are oblique
+    V half2;  // the square of half the chord, negative on a miss
+
+    HWY_INLINE BallPass(V x, V y, V r, V a, V b, V shrink2) {
+        const V slope = hn::Add(hn::Mul(a, x), hn::Mul(b, y));
+        ahead = hn::Mul(slope, shrink2);
+        const V away2 = hn::Add(hn::Mul(x, x), hn::Mul(y, y));
+        half2 = hn::Add(hn::Sub(hn::Mul(r, r), away2), hn::Mul(slope, ahead));
+    }
+    /// Half the depth between entry and exit; NaN on a miss.
+    [[nodiscard]] HWY_INLINE V half(V shrink2) const { return hn::Sqrt(hn::Mul(half2, shrink2)); }
+};
+
+/// Detail times the size of a pixel in scene units, at most: max(pixel0 + pixel1 z, least).
+struct ShadowRoom {
+    double pixel0, pixel1, least;
+
+    ShadowRoom(const WideScene& scene, const RayBundle& bundle, const WideObject& object)
+        : pixel0(scene.detail * bundle.most_at_origin),
+          pixel1(scene.detail * bundle.most_growth),
+          least(scene.detail * object.smallest_pixel) {}
+};
+
+/// A ball misses the beam if its centre is farther beside the beam's square than its radius.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE LaneInterval<V> ball_in_beam(D d, const RayBundle& bundle, const HullShadow& shadow,
+                                        const ShadowRoom& room, const Lanes3<V>& c, V r) {
+    const V zero = hn::Zero(d);
+    r = hn::Mul(r, hn::Set(d, 1 + unit_margin));
+    const V far = hn::Add(c.z, r);
+    const V reach_u =
+        hn::Add(hn::Set(d, bundle.reach_u0), hn::Mul(hn::Set(d, bundle.reach_u1), far));
+    const V reach_v =
+        hn::Add(hn::Set(d, bundle.reach_v0), hn::Mul(hn::Set(d, bundle.reach_v1), far));
+    const V x = hn::Max(hn::Sub(hn::Abs(c.x), reach_u), zero);
+    const V y = hn::Max(hn::Sub(hn::Abs(c.y), reach_v), zero);
+    const V half2 = hn::Sub(hn::Mul(r, r), hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
+    auto met = hn::And(hn::Le(zero, half2), hn::Le(zero, far));
+    if (shadow.edges > 0) {
+        const V p = hn::Max(hn::Add(hn::Set(d, room.pixel0), hn::Mul(hn::Set(d, room.pixel1), far)),
+                            hn::Set(d, room.least));
+        const V beside = hn::Mul(r, hn::Set(d, bundle.reach_u1 + bundle.reach_v1));
+        met = in_shadow(d, shadow, c.x, c.y, r,
+                        hn::Add(hn::Add(p, beside), hn::Add(reach_u, reach_v)), met);
+    }
+    const V half = hn::Sqrt(hn::Max(half2, zero));
+    return {hn::Max(hn::Sub(c.z, half), zero),
+            hn::IfThenElse(met, hn::Add(c.z, half), hn::Set(d, -beyond))};
+}
+
+/// The depths at which the beam may be in boxes: two bounds for each axis.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE LaneInterval<V> box_in_beam(D d, const BoxBeam& beam, const Lanes3<V>& c, V half) {
+    LaneInterval<V> inside{hn::Zero(d), hn::Set(d, beyond)};
+    half = hn::Mul(half, hn::Set(d, 1 + unit_margin));
+    const auto clip = [&](V reach, double pace) HWY_ATTR {
+        const V bound = hn::Mul(reach, hn::Set(d, pace));
+        if (pace > 0) {
+            inside.exit = hn::Min(inside.exit, bound);
+        } else {
+            inside.key = hn::Max(inside.key, bound);
+        }
+    };
+    const auto axis = [&](V center, std::size_t k) HWY_ATTR {
+        const V wide = hn::Add(half, hn::Set(d, beam.spread0[k]));
+        const V from_eye = hn::Sub(center, hn::Set(d, beam.eye[k]));
+        clip(hn::Add(wide, from_eye), beam.high_pace[k]);
+        clip(hn::Sub(wide, from_eye), beam.low_pace[k]);
+    };
+    axis(c.x, 0);
+    axis(c.y, 1);
+    axis(c.z, 2);
+    return inside;
+}
+
+inline void push_fixed_cell(SearchWorkspace& work, const FixedCell& cell) {
+    work.fixed_cells.push_back(cell);
+    work.queue.emplace_back(cell.near, ~(static_cast<int>(work.fixed_cells.size()) - 1));
+    std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+}
+
+/// Puts the children of a fixed cell into the queue that a ray of the bundle may meet.
+inline void open_fixed_cell(const WideScene& scene, SearchWorkspace& work, int index) {
+    const hn::ScalableTag<double> d;
+    using V = hn::VFromD<decltype(d)>;
+    const FixedCell parent = work.fixed_cells[static_cast<std::size_t>(index)];
+    const WideObject& object = scene.objects[static_cast<std::size_t>(parent.object)];
+    const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
+    const HomothetyTable& table = set.children;
+    const LaneTable<double>& centers =
+        object.spheres ? turn_children(scene, work, parent.object, parent.set) : table.twice;
+    const BoxBeam& beam = work.box_beams[static_cast<std::size_t>(parent.object)];
+    const HullShadow& shadow = work.shadows[static_cast<std::size_t>(parent.object)];
+    const ShadowRoom room(scene, work.bundle, object);
+    double* rows = work.scratch.get();
+    const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * table.stride; };
+    work.shared_tests += static_cast<std::uint64_t>(table.count);
+    const V size = hn::Set(d, parent.size);
+    for (int i = 0; i < table.count; i += static_cast<int>(hn::Lanes(d))) {
+        const Lanes3<V> c = add_scaled(broadcast(d, parent.center.data()), size,
+                                       load3(d, centers.row(0) + i, table.stride));
+        const V half = hn::Mul(size, hn::LoadU(d, table.twice.row(HomothetyTable::scale) + i));
+        const LaneInterval<V> inside = object.spheres
+                                           ? ball_in_beam(d, work.bundle, shadow, room, c, half)
+                                           : box_in_beam(d, beam, c, half);
+        store3(c, d, row(FixedRows::center) + i, table.stride);
+        hn::StoreU(half, d, row(FixedRows::size) + i);
+        hn::StoreU(hn::Max(inside.key, hn::Set(d, parent.near)), d, row(FixedRows::near) + i);
+        hn::StoreU(hn::Min(inside.exit, hn::Set(d, parent.far)), d, row(FixedRows::far) + i);
+    }
+    for (int lane = 0; lane < table.count; ++lane) {
+        const double near = row(FixedRows::near)[lane];
+        const double far = row(FixedRows::far)[lane];
+        if (!(near <= far) || work.farthest <= near) continue;
+        push_fixed_cell(work, {{row(0)[lane], row(1)[lane], row(2)[lane]},
+                               row(FixedRows::size)[lane],
+                               near,
+                               far,
+                               parent.constant * table.twice.row(HomothetyTable::constant)[lane],
+                               parent.constant * table.twice.row(HomothetyTable::diameter)[lane],
+                               table.sets[static_cast<std::size_t>(lane)],
+                               parent.object,
+                               index,
+                               lane,
+                               parent.level + 1,
+                               -1});
+    }
+}
+
+inline void set_box_beam(const WideObject& object, const RayBundle& bundle, BoxBeam& beam) {
+    const glm::dvec3 u = object.to_unit.direction(bundle.axis[0]);
+    const glm::dvec3 v = object.to_unit.direction(bundle.axis[1]);
+    const glm::dvec3 w = object.to_unit.direction(bundle.axis[2]);
+    constexpr double least_pace = 1e-200;
+    const auto inverse = [](double x) { return 1 / (std::abs(x) < least_pace ? least_pace : x); };
+    const glm::dvec3 eye = object.to_unit.point(bundle.origin);
+    for (int k = 0; k < 3; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const double spread1 = std::abs(u[k]) * bundle.reach_u1 + std::abs(v[k]) * bundle.reach_v1;
+        beam.eye[at] = eye[k];
+        beam.spread0[at] = std::abs(u[k]) * bundle.reach_u0 + std::abs(v[k]) * bundle.reach_v0;
+        beam.high_pace[at] = inverse(w[k] - spread1);
+        beam.low_pace[at] = inverse(-w[k] - spread1);
+    }
+}
+
+/// Step 1.1 for an object with a fixed direction.
+inline void push_fixed_object(const WideScene& scene, SearchWorkspace& work, int index) {
+    const hn::CappedTag<double, 1> d;
+    using V = hn::VFromD<decltype(d)>;
+    const WideObject& object = scene.objects[static_cast<std::size_t>(index)];
+    const RayBundle& bundle = work.bundle;
+    FixedCell cell{{0, 0, 0},
+                   1,
+                   0,
+                   beyond,
+                   object.constant,
+                   object.constant * object.diameter,
+                   object.set,
+                   index,
+                   -1,
+                   0,
+                   0,
+                   -1};
+    if (object.spheres) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            cell.center[k] = glm::dot(object.center - bundle.origin, bundle.axis[k]);
+        }
+        cell.size = object.radius;
+    } else {
+        set_box_beam(object, bundle, work.box_beams[static_cast<std::size_t>(index)]);
+    }
+    const Lanes3<V> c = broadcast(d, cell.center.data());
+    const V size = hn::Set(d, cell.size);
+    const ShadowRoom room(scene, bundle, object);
+    const LaneInterval<V> inside =
+        object.spheres ? ball_in_beam(d, bundle, HullShadow{}, room, c, size)
+                       : box_in_beam(d, work.box_beams[static_cast<std::size_t>(index)], c, size);
+    ++work.shared_tests;
+    cell.near = hn::GetLane(inside.key);
+    cell.far = hn::GetLane(inside.exit);
+    if (!(cell.near <= cell.far)) return;
+    if (object.spheres) work.shadows[static_cast<std::size_t>(index)] = make_shadow(object, bundle);
+    push_fixed_cell(work, cell);
+}
+
+/// A fixed cell as other shared cells are: from the bundle's frame to its unit coordinates.
+inline void rows_of(const WideObject& object, const RayBundle& bundle, const FixedCell& cell,
+                    std::array<double, 12>& rows, double& base) {
+    const double shrink = (object.spheres ? object.radius : 1) / cell.size;
+    glm::dvec3 axis[3];
+    for (int i = 0; i < 3; ++i) axis[i] = object.to_unit.direction(bundle.axis[i]) * shrink;
+    glm::dvec3 o;
+    if (object.spheres) {  // the centre is at z along the bundle's axis, and beside it
+        base = cell.center[2];
+        o = -(axis[0] * cell.center[0] + axis[1] * cell.center[1]);
+    } else {
+        const glm::dvec3 center{cell.center[0], cell.center[1], cell.center[2]};
+        o = (object.to_unit.point(bundle.origin) - center) / cell.size;
+        base = -glm::dot(o, axis[2]) / glm::dot(axis[2], axis[2]);
+        o += base * axis[2];
+    }
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < 3; ++i) rows[static_cast<std::size_t>(3 * i + k)] = axis[i][k];
+        rows[static_cast<std::size_t>(9 + k)] = o[k];
+    }
+}
+
+}  // namespace pxm::host::wide::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

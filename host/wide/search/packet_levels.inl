@@ -1,0 +1,221 @@
+// The levels of the hierarchy that the rays of a bundle share. The bundle goes down as a whole, the
+// nearest cell first, until a cell is no larger than a few pixels. All in double: this is where
+// magnification costs digits. A cell is skipped only if no ray of the bundle can meet it.
+#if defined(PXM_HOST_WIDE_SEARCH_PACKET_LEVELS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PXM_HOST_WIDE_SEARCH_PACKET_LEVELS_INL
+#undef PXM_HOST_WIDE_SEARCH_PACKET_LEVELS_INL
+#else
+#define PXM_HOST_WIDE_SEARCH_PACKET_LEVELS_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include "host/wide/packet/lanes.inl"
+#include "host/wide/search/packet_search.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace pxm::host::wide::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Relative room for rounding: unit volumes are taken that much larger.
+inline constexpr double unit_margin = 1e-6;
+inline constexpr double beyond = 1e300;
+
+/// Children of a shared cell in lanes: rows of the scratch table.
+struct SharedRows {
+    static constexpr int map = 0;  // 12: U, V, W, o
+    static constexpr int base = 12;
+    static constexpr int near = 13;
+    static constexpr int far = 14;
+    static constexpr int constant = 15;
+    static constexpr int diameter = 16;
+    static constexpr int linear = 17;  // 9
+    static constexpr int count = 26;
+};
+
+template <class V>
+struct Beam {
+    Lanes3<V> u, v, w, o;
+    V base;
+};
+
+/// The depths at which any ray of the bundle may be in the unit volume, within [near, far].
+/// Half a cube's width grows by how far the rays are spread along each axis, which is linear in z:
+/// c (z - base) <= q twice for each axis. A ball is cut out of its cube.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE LaneInterval<V> beam_in_volume(D d, const RayBundle& bundle, const Beam<V>& beam,
+                                          bool spheres, LaneInterval<V> inside) {
+    const V zero = hn::Zero(d);
+    const V one = hn::Set(d, 1.0 + unit_margin);
+    const V u0 = hn::Set(d, bundle.reach_u0), u1 = hn::Set(d, bundle.reach_u1);
+    const V v0 = hn::Set(d, bundle.reach_v0), v1 = hn::Set(d, bundle.reach_v1);
+    const auto clip = [&](V c, V q) HWY_ATTR {
+        const V bound = hn::Add(hn::Div(q, c), beam.base);
+        const auto ahead = hn::Lt(zero, c);
+        const auto behind = hn::Lt(c, zero);
+        inside.exit = hn::IfThenElse(ahead, hn::Min(inside.exit, bound), inside.exit);
+        inside.key = hn::IfThenElse(behind, hn::Max(inside.key, bound), inside.key);
+    };
+    const auto axis = [&](V o, V w, V u, V v) HWY_ATTR {
+        const V wide0 = hn::Add(hn::Mul(hn::Abs(u), u0), hn::Mul(hn::Abs(v), v0));
+        const V wide1 = hn::Add(hn::Mul(hn::Abs(u), u1), hn::Mul(hn::Abs(v), v1));
+        const V half = hn::Add(one, hn::Add(wide0, hn::Mul(wide1, beam.base)));
+        clip(hn::Sub(w, wide1), hn::Sub(half, o));
+        clip(hn::Sub(hn::Neg(w), wide1), hn::Add(half, o));
+    };
+    axis(beam.o.x, beam.w.x, beam.u.x, beam.v.x);
+    axis(beam.o.y, beam.w.y, beam.u.y, beam.v.y);
+    axis(beam.o.z, beam.w.z, beam.u.z, beam.v.z);
+    if (!spheres) return inside;
+    const V length_u = hn::Sqrt(dot(beam.u, beam.u));
+    const V length_v = hn::Sqrt(dot(beam.v, beam.v));
+    const V reach_u = hn::Add(u0, hn::Mul(u1, inside.exit));
+    const V reach_v = hn::Add(v0, hn::Mul(v1, inside.exit));
+    const V wide = hn::Add(hn::Mul(length_u, reach_u), hn::Mul(length_v, reach_v));
+    const V radius = hn::Add(one, wide);
+    const V chord2 = hn::Sub(hn::Mul(radius, radius), dot(beam.o, beam.o));  // o is the foot
+    const V half = hn::Sqrt(hn::Div(hn::Max(chord2, zero), dot(beam.w, beam.w)));
+    const auto misses = hn::Lt(chord2, zero);
+    inside.key = hn::Max(inside.key, hn::Sub(beam.base, half));
+    inside.exit = hn::Min(inside.exit, hn::Add(beam.base, half));
+    inside.exit = hn::IfThenElse(misses, hn::Set(d, -beyond), inside.exit);
+    return inside;
+}
+
+/// Moves o to the foot of the perpendicular from the volume's centre.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE void rebase(D d, Beam<V>& beam) {
+    const V step =
+        hn::Neg(hn::Div(dot(beam.o, beam.w), hn::Max(dot(beam.w, beam.w), hn::Set(d, 1e-200))));
+    beam.o = add_scaled(beam.o, step, beam.w);
+    beam.base = hn::Add(beam.base, step);
+}
+
+/// p(z) at least, of all rays of the bundle.
+HWY_INLINE double pixel_at(const WideScene& scene, const RayBundle& bundle, int object, double z) {
+    const double p = bundle.pixel_at_origin + bundle.pixel_growth * z;
+    return scene.detail *
+           std::max(p, scene.objects[static_cast<std::size_t>(object)].smallest_pixel);
+}
+
+/// Puts the children of a shared cell into the queue that a ray of the bundle may meet.
+inline void open_shared_cell(const WideScene& scene, SearchWorkspace& work, int index) {
+    const hn::ScalableTag<double> d;
+    using V = hn::VFromD<decltype(d)>;
+    const SharedCell parent = work.cells[static_cast<std::size_t>(index)];
+    const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
+    const int stride = set.stride;
+    double* rows = work.scratch.get();
+    const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * stride; };
+    work.shared_tests += static_cast<std::uint64_t>(set.count);
+    for (int i = 0; i < set.count; i += static_cast<int>(hn::Lanes(d))) {
+        const double* table = set.twice.row(0) + i;
+        const Lanes3x3<V> k = load3x3(d, table, stride);
+        Beam<V> beam;
+        beam.u = transform(broadcast(d, parent.rows.data()), k);
+        beam.v = transform(broadcast(d, parent.rows.data() + 3), k);
+        beam.w = transform(broadcast(d, parent.rows.data() + 6), k);
+        beam.o = add(transform(broadcast(d, parent.rows.data() + 9), k),
+                     load3(d, table + ChildField::offset * stride, stride));
+        beam.base = hn::Set(d, parent.base);
+        rebase(d, beam);
+        const LaneInterval<V> inside =
+            beam_in_volume(d, work.bundle, beam, set.spheres,
+                           LaneInterval<V>{hn::Set(d, parent.near), hn::Set(d, parent.far)});
+        store3(beam.u, d, row(0) + i, stride);
+        store3(beam.v, d, row(3) + i, stride);
+        store3(beam.w, d, row(6) + i, stride);
+        store3(beam.o, d, row(9) + i, stride);
+        hn::StoreU(beam.base, d, row(SharedRows::base) + i);
+        hn::StoreU(inside.key, d, row(SharedRows::near) + i);
+        hn::StoreU(inside.exit, d, row(SharedRows::far) + i);
+        const V diameter = hn::LoadU(d, table + ChildField::diameter * stride);
+        if (set.polar) {
+            const Lanes3x3<V> t = load3x3(d, table + ChildField::forward * stride, stride);
+            const Lanes3x3<V> outer{{broadcast(d, parent.linear.data()),
+                                     broadcast(d, parent.linear.data() + 3),
+                                     broadcast(d, parent.linear.data() + 6)}};
+            const Lanes3x3<V> linear{{transform(t.row[0], outer), transform(t.row[1], outer),
+                                      transform(t.row[2], outer)}};
+            for (int r = 0; r < 3; ++r) {
+                store3(linear.row[r], d, row(SharedRows::linear + 3 * r) + i, stride);
+            }
+            hn::StoreU(hn::Mul(largest_singular_value(d, linear), diameter), d,
+                       row(SharedRows::diameter) + i);
+        } else {
+            const V constant = hn::Mul(hn::LoadU(d, table + ChildField::constant * stride),
+                                       hn::Set(d, parent.constant));
+            hn::StoreU(constant, d, row(SharedRows::constant) + i);
+            hn::StoreU(hn::Mul(constant, diameter), d, row(SharedRows::diameter) + i);
+        }
+    }
+    for (int lane = 0; lane < set.count; ++lane) {
+        const double near = row(SharedRows::near)[lane];
+        const double far = row(SharedRows::far)[lane];
+        if (!(near <= far)) continue;
+        SharedCell& child = work.cells.emplace_back();
+        for (int i = 0; i < 12; ++i) child.rows[static_cast<std::size_t>(i)] = row(i)[lane];
+        if (set.polar) {
+            for (int i = 0; i < 9; ++i) {
+                child.linear[static_cast<std::size_t>(i)] = row(SharedRows::linear + i)[lane];
+            }
+        } else {
+            child.constant = row(SharedRows::constant)[lane];
+        }
+        child.diameter = row(SharedRows::diameter)[lane];
+        child.base = row(SharedRows::base)[lane];
+        child.near = near;
+        child.far = far;
+        child.set = set.sets[static_cast<std::size_t>(lane)];
+        child.object = parent.object;
+        child.parent = index;
+        child.symbol = set.maps[static_cast<std::size_t>(lane)];
+        child.level = parent.level + 1;
+        child.spheres = set.spheres;
+        work.queue.emplace_back(near, static_cast<int>(work.cells.size()) - 1);
+        std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+    }
+}
+
+/// Step 1.1: the outermost cell of an object, if a ray of the bundle may meet it.
+inline void push_object(const WideScene& scene, SearchWorkspace& work, int index) {
+    const hn::CappedTag<double, 1> d;
+    using V = hn::VFromD<decltype(d)>;
+    const WideObject& object = scene.objects[static_cast<std::size_t>(index)];
+    SharedCell cell;
+    const auto put = [&](std::size_t i, const glm::dvec3& v) {
+        for (int k = 0; k < 3; ++k) cell.rows[3 * i + static_cast<std::size_t>(k)] = v[k];
+    };
+    for (std::size_t i = 0; i < 3; ++i) put(i, object.to_unit.direction(work.bundle.axis[i]));
+    const auto from = [&](std::size_t i) { return broadcast(d, cell.rows.data() + 3 * i); };
+    Beam<V> beam{from(0), from(1), from(2), {}, hn::Zero(d)};
+    const glm::dvec3 origin = object.to_unit.point(work.bundle.origin);
+    beam.o = broadcast(d, &origin.x);
+    rebase(d, beam);
+    const LaneInterval<V> inside = beam_in_volume(d, work.bundle, beam, object.spheres,
+                                                  LaneInterval<V>{hn::Zero(d), hn::Set(d, beyond)});
+    ++work.shared_tests;
+    cell.near = hn::GetLane(inside.key);
+    cell.far = hn::GetLane(inside.exit);
+    if (!(cell.near <= cell.far)) return;
+    put(3, {hn::GetLane(beam.o.x), hn::GetLane(beam.o.y), hn::GetLane(beam.o.z)});
+    cell.base = hn::GetLane(beam.base);
+    for (std::size_t i = 0; i < 9; ++i) {
+        const auto r = static_cast<int>(i);
+        cell.linear[i] = object.linear[r / 3][r % 3];
+    }
+    cell.constant = object.constant;
+    cell.set = object.set;
+    cell.object = index;
+    cell.spheres = object.spheres;
+    cell.diameter = object.constant * object.diameter;
+    work.cells.push_back(cell);
+    work.queue.emplace_back(cell.near, static_cast<int>(work.cells.size()) - 1);
+    std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+}
+
+}  // namespace pxm::host::wide::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,64 @@
+// The first cells that the 64 rays of a bundle meet. Three steps, one file each:
+//   shared_levels.inl  the bundle as a whole goes down to *start cells* of a few pixels, nearest
+//                          first, in double
+//   start_cell.inl     the bundle's rays, in lanes, against a start cell, in float
+//   single_ray.inl     each ray that meets it alone, with a cell's children in lanes
+// A workspace is one thread's; its memory does not grow with the picture, and cells that are too
+// small for the pixels of a tile do not fill it: beyond most_shared_cells, or a full arena, the
+// rays that have not found anything yet are left to the clear kernels.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "host/wide/packet/ray_packet.hpp"
+#include "host/wide/search/cells.hpp"
+#include "host/wide/search/child_block.hpp"
+#include "host/wide/search/opened_cell.hpp"
+#include "host/wide/search/silhouette_cull.hpp"
+#include "host/wide/tables/candidate_views.hpp"
+#include "host/wide/tables/wide_scene.hpp"
+
+namespace pxm::host::wide {
+
+inline constexpr std::size_t most_shared_cells = std::size_t{1} << 17;  // of a bundle
+
+/// One thread's memory for the search of one packet after another.
+struct SearchWorkspace {
+    void clear_found() {
+        for (Found& ray : found) ray.clear();
+    }
+
+    RayBundle bundle;
+    std::vector<SharedCell> cells;
+    std::vector<FixedCell> fixed_cells;
+    std::vector<BoxBeam> box_beams;             // per object
+    std::vector<HullShadow> shadows;            // per object
+    std::vector<std::pair<double, int>> queue;  // (near, cell or ~fixed cell), a heap
+    std::vector<Block> blocks;
+    Arena arena;
+    StartRays start;
+    std::vector<MetChildren> met;                      // of blocks, one below the other
+    std::array<OpenedCell, Found::most_below> opened;  // one below the other
+    std::vector<LaneTable<double>> turned;             // children's centres in the bundle's frame
+    std::vector<std::uint64_t> turned_for;             // (bundle, turn) they are right for
+    std::uint64_t bundle_number = 0;
+    std::vector<Aspect> aspects;  // of the bundle itself, of a part of the picture, of each light
+    AspectRays aspect_rays;
+    bool looking = false;  // a start cell has been given to the rays: `found` is theirs
+    std::array<Found, bundle_rays> found;
+    /// What lies beyond is of no interest to a ray: where it found a cell, or where it ends.
+    std::array<double, bundle_rays> best;
+    double farthest = 0;   // of all rays inside, when last looked for
+    bool improved = true;  // since then
+    std::uint64_t shared_tests = 0;
+    hwy::AlignedFreeUniquePtr<double[]> scratch;  // children of a shared cell, in lanes
+};
+
+/// Fills in `found` for the bundle in the workspace, on the widest registers there are. False, and
+/// nothing filled in, if the bundle came to no start cell: none of its rays meets anything.
+[[nodiscard]] bool search_bundle(const WideScene& scene, SearchWorkspace& work);
+
+}  // namespace pxm::host::wide

@@ -1,0 +1,39 @@
+// Rays that pass beside the silhouette of an attractor meet none of its cells.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+namespace pxm::host::wide {
+
+/// The shadow that the hull of an object's attractor casts on the plane across the bundle, in radii
+/// of its ball: the places (px, py) with x px + y py <= height for each edge. No edges: no cull.
+struct HullShadow {
+    static constexpr int most_edges = 6;
+    int edges = 0;
+    template <class T>
+    struct Edge {
+        T x, y, height;
+    };
+    std::array<Edge<double>, most_edges> twice;
+    std::array<Edge<float>, most_edges> single;  // the same
+
+    void put(int edge, const Edge<double>& at) {
+        const auto i = static_cast<std::size_t>(edge);
+        twice[i] = at;
+        single[i] = {static_cast<float>(at.x), static_cast<float>(at.y),
+                     static_cast<float>(at.height)};
+    }
+    template <class T>
+    [[nodiscard]] const Edge<T>& edge(int i) const {
+        const auto at = static_cast<std::size_t>(i);
+        if constexpr (std::is_same_v<T, float>) {
+            return single[at];
+        } else {
+            return twice[at];
+        }
+    }
+};
+
+}  // namespace pxm::host::wide

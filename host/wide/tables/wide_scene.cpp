@@ -1,0 +1,317 @@
+#include "host/wide/tables/wide_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "host/engine/gather.hpp"
+#include "host/math/lipschitz.hpp"
+#include "host/node_program/crowded.hpp"
+#include "host/node_program/write_scene_block.hpp"
+#include "host/wide/tables/candidate_views.hpp"
+#include "host/wide/tables/homothety_tables.hpp"
+
+namespace pxm::host::wide {
+
+namespace {
+
+constexpr double thinnest = 1e-7;  // half width of a box, of its diameter
+
+/// From the unit coordinates of a volume, in which it is the unit ball or the cube [-1,1]^3.
+Affine from_unit(const CompiledVolume& volume) {
+    const double least = thinnest * volume.diameter;
+    const glm::dvec3 half = glm::max((volume.high - volume.low) / 2.0, least);
+    switch (volume.kind) {
+        case kernels::Volume::sphere:
+            return {glm::dmat3{volume.radius}, volume.center};
+        case kernels::Volume::oriented:
+            return {glm::dmat3{volume.half[0], volume.half[1], volume.half[2]}, volume.center};
+        default:
+            return {glm::dmat3{half.x, 0, 0, 0, half.y, 0, 0, 0, half.z}, volume.center};
+    }
+}
+
+/// First `map`, then into the unit coordinates of `volume`.
+Affine into_unit(const Affine& map, const CompiledVolume& volume) {
+    return then(map, inverse(from_unit(volume)));
+}
+
+template <class T>
+void write_child(LaneTable<T>& table, int lane, const Affine& step, const CompiledMap& map,
+                 double diameter) {
+    const auto put = [&](int row, double value) { table.row(row)[lane] = static_cast<T>(value); };
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            put(ChildField::linear + 3 * i + j, step.linear[i][j]);
+            put(ChildField::forward + 3 * i + j, map.map.linear[i][j]);
+        }
+        put(ChildField::offset + i, step.translation[i]);
+    }
+    put(ChildField::constant, map.constant);
+    put(ChildField::diameter, diameter);
+}
+
+/// 1 over the half width of a volume along the axes of its unit coordinates.
+glm::dvec3 inverse_half(const CompiledVolume& volume) {
+    const glm::dmat3 linear = from_unit(volume).linear;
+    return {1 / glm::length(linear[0]), 1 / glm::length(linear[1]), 1 / glm::length(linear[2])};
+}
+
+/// `step` is K, from the parent's unit coordinates to the child's.
+void write_beam(LaneTable<double>& table, int lane, const Affine& step,
+                const CompiledVolume& inner) {
+    const Affine outward = inverse(step);
+    const glm::dvec3 half = inverse_half(inner);
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            table.row(BeamField::linear + 3 * i + j)[lane] = outward.linear[i][j];
+        }
+        table.row(BeamField::offset + i)[lane] = outward.translation[i];
+        table.row(BeamField::inverse_half + i)[lane] = half[i];
+    }
+    table.row(BeamField::box)[lane] = inner.kind == kernels::Volume::box ? 1 : 0;
+}
+
+WideSet make_set(const CompiledScene& scene, const CompiledShape& shape, const CompiledSet& set,
+                 int first_set) {
+    WideSet wide;
+    wide.coverage = set.coverage;
+    wide.count = static_cast<int>(set.maps.size());
+    wide.stride = (wide.count + table_step - 1) / table_step * table_step;
+    wide.polar = shape.lipschitz == kernels::Lipschitz::polar;
+    wide.twice = LaneTable<double>(ChildField::count, wide.stride);
+    wide.single = LaneTable<float>(ChildField::count, wide.stride);
+    if (scene.area) wide.beams = LaneTable<double>(BeamField::count, wide.stride);
+    for (int lane = 0; lane < wide.count; ++lane) {
+        const int symbol = set.maps[static_cast<std::size_t>(lane)];
+        const CompiledMap& map = shape.maps[static_cast<std::size_t>(symbol)];
+        const CompiledVolume& inner = shape.sets[static_cast<std::size_t>(map.follow_set)].volume;
+        const Affine step = into_unit(then(from_unit(set.volume), inverse(map.map)), inner);
+        write_child(wide.twice, lane, step, map, inner.diameter);
+        write_child(wide.single, lane, step, map, inner.diameter);
+        if (scene.area) write_beam(wide.beams, lane, step, inner);
+        wide.maps.push_back(symbol);
+        wide.colors.push_back({static_cast<float>(map.color.r), static_cast<float>(map.color.g),
+                               static_cast<float>(map.color.b), static_cast<float>(map.color.a)});
+        wide.sets.push_back(first_set + map.follow_set);
+        wide.spheres = inner.kind == kernels::Volume::sphere;
+    }
+    return wide;
+}
+
+std::array<float, 3> floats(const glm::dvec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// Whether a volume is a ball or a box, in whatever axes, that is not flat.
+bool is_ball_or_box(const CompiledVolume& volume) {
+    if (volume.kind == kernels::Volume::oriented) {
+        return std::ranges::all_of(volume.half, [&](const glm::dvec3& half) {
+            return glm::length(half) > thinnest * volume.diameter;
+        });
+    }
+    return volume.kind == kernels::Volume::sphere || volume.kind == kernels::Volume::box;
+}
+
+bool has_balls(const CompiledSet& set) { return set.volume.kind == kernels::Volume::sphere; }
+
+/// Grass and its kin: children tested together, without the culls in between, are hundreds of times
+/// more cells there, and a render does not end in comfortable time.
+bool squashes_much(const Affine& map) {
+    constexpr double much = 16;  // times more in one direction than in another
+    const auto values = singular_values(map.linear).values;
+    return !(values[0] <= much * values[2]);
+}
+
+/// The diameter of the outermost cell around an object; 0 if none is.
+double widest_around(const CompiledScene& scene, const CompiledObject& object) {
+    double widest = 0;
+    for (int at = object.enclosing; at >= 0;) {
+        const CompiledEnclosure& cell = scene.enclosures[static_cast<std::size_t>(at)];
+        widest = cell.volume.diameter;
+        at = cell.enclosing;
+    }
+    return widest;
+}
+
+/// Cells that hardly get smaller from level to level would fill the tables that a tile's rays
+/// share: gigabytes at 0.995.
+bool hardly_contracts(const CompiledMap& map) { return !(map.constant <= 0.985); }
+
+/// What of a scene's objects the wide engine cannot do.
+class Limits {
+  public:
+    explicit Limits(const CompiledScene& scene) : scene_(scene), crowded_(crowded_shapes(scene)) {}
+
+    /// Empty if it can do the object.
+    [[nodiscard]] std::string why_not(const CompiledObject& object) const;
+    [[nodiscard]] bool allow(const CompiledObject& object) const { return why_not(object).empty(); }
+
+  private:
+    const CompiledScene& scene_;
+    std::vector<bool> crowded_;
+};
+
+std::string Limits::why_not(const CompiledObject& object) const {
+    const auto index = static_cast<std::size_t>(object.shape);
+    const CompiledShape& shape = scene_.shapes[index];
+    if (shape.lifted) return "has singular maps, which were lifted";
+    // One search for all cells of a tile has no account of those that are alike.
+    if (crowded_[index] && !scene_.area) return "has cells that overlap very much";
+    if (!std::ranges::all_of(shape.sets, is_ball_or_box, &CompiledSet::volume)) {
+        return "has bounding volumes that are neither balls nor boxes";
+    }
+    const auto balls = std::ranges::count_if(shape.sets, has_balls);
+    if (balls != 0 && balls != std::ssize(shape.sets)) return "has balls and boxes side by side";
+    if (shape.maps.size() > most_maps) return fmt::format("has more than {} maps", most_maps);
+    if (std::ranges::any_of(shape.maps, squashes_much, &CompiledMap::map)) {
+        return "has maps that squash very much";
+    }
+    if (!object.prefix.empty() && squashes_much(object.instance)) {
+        return "has cells near the eye that are squashed very much";
+    }
+    if (std::ranges::any_of(shape.maps, hardly_contracts)) return "has maps that hardly contract";
+    return "";
+}
+
+ObjectMethod wide_method(const CompiledScene& scene, const CompiledObject& object,
+                         const WideObject& wide, const std::vector<WideSet>& sets) {
+    const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
+    if (scene.area) return {object.name, "wide, beams", "local covers by area"};
+    if (!wide.fixed_direction) {
+        const bool many = shape.maps.size() > static_cast<std::size_t>(opened_cell_room);
+        return {object.name, "wide, composed maps",
+                has_fixed_direction(scene, object) && many ? "very many maps"
+                                                           : "maps that are no homotheties"};
+    }
+    if (wide.grid) return {object.name, "wide, grid walk", "homotheties to boxes in slices"};
+    const std::vector<HomothetyTable>& composed = sets[static_cast<std::size_t>(wide.set)].composed;
+    if (!composed.empty()) {
+        const std::string levels =
+            fmt::format("homotheties, up to {} levels at once", composed.back().steps);
+        const bool lists = composed.back().count > table_step;
+        return {object.name, lists ? "wide, listed cells" : "wide, grandchildren", levels};
+    }
+    return {object.name, "wide, children", "homotheties"};
+}
+
+}  // namespace
+
+std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
+    if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
+    if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
+    if (needs_covers(scene) && !scene.area) {
+        return "local covers by diameter and translucent objects are the clear kernels'";
+    }
+    const Limits limits(scene);
+    if (scene.area) {  // the cells of all objects share the places of a pixel
+        for (const CompiledObject& object : scene.objects) {
+            const std::string reason = limits.why_not(object);
+            if (!reason.empty()) {
+                return fmt::format(
+                    "object \"{}\" {}, and local covers by area are done by one "
+                    "engine",
+                    object.name, reason);
+            }
+        }
+    }
+    const bool some = std::ranges::any_of(
+        scene.objects, [&](const CompiledObject& object) { return limits.allow(object); });
+    if (some) return "";
+    if (scene.objects.empty()) return "there is no object";
+    const CompiledObject& first = scene.objects.front();
+    return fmt::format("object \"{}\" {}", first.name, limits.why_not(first));
+}
+
+CompiledScene left_to_clear_kernels(const CompiledScene& scene) {
+    CompiledScene rest = scene;
+    const Limits limits(scene);
+    std::erase_if(rest.objects, [&](const CompiledObject& object) { return limits.allow(object); });
+    return rest;
+}
+
+std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
+    const std::string reason = why_not_wide(scene, Numeric::single);
+    std::vector<ObjectMethod> methods;
+    const WideScene wide = reason.empty() ? make_wide_scene(scene) : WideScene{};
+    const Limits limits(scene);
+    std::size_t next = 0;  // of the wide scene's objects
+    for (const CompiledObject& object : scene.objects) {
+        const std::string own = limits.why_not(object);
+        const std::size_t at = own.empty() ? next++ : 0;
+        if (object.origin < static_cast<int>(methods.size())) continue;
+        if (!reason.empty() || !own.empty()) {
+            methods.push_back({object.name, "heap", own.empty() ? reason : "it " + own});
+        } else {
+            methods.push_back(wide_method(scene, object, wide.objects[at], wide.sets));
+        }
+    }
+    return methods;
+}
+
+WideScene make_wide_scene(const CompiledScene& scene) {
+    WideScene wide;
+    wide.camera = scene.camera;
+    wide.size = scene.size;
+    wide.aspect_side = aspect_side(scene.camera, scene.size);
+    wide.detail = scene.detail;
+    wide.cell_cap = scene.cell_cap;
+    wide.unit = scene.unit;
+    wide.shading = scene.shading;
+    wide.ambient = floats(scene.ambient);
+    wide.background = floats(scene.background);
+    wide.lights = scene.lights;
+    wide.enclosures = scene.enclosures;
+    const Limits limits(scene);
+    std::vector<int> first_sets;
+    std::vector<bool> in_use(scene.shapes.size(), false);
+    for (const CompiledObject& object : scene.objects) {
+        if (limits.allow(object)) in_use[static_cast<std::size_t>(object.shape)] = true;
+    }
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        first_sets.push_back(static_cast<int>(wide.sets.size()));
+        if (!in_use[i]) continue;
+        for (const CompiledSet& set : scene.shapes[i].sets) {
+            wide.sets.push_back(make_set(scene, scene.shapes[i], set, first_sets.back()));
+        }
+    }
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const CompiledObject& object = scene.objects[i];
+        if (!limits.allow(object)) continue;
+        const auto index = static_cast<std::size_t>(object.shape);
+        const CompiledShape& shape = scene.shapes[index];
+        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(object.start)].volume;
+        WideObject result;
+        result.index = static_cast<int>(i);
+        result.to_unit = into_unit(inverse(object.instance), volume);
+        result.from_unit = inverse(result.to_unit);
+        result.linear = object.instance.linear;
+        result.set = first_sets[index] + object.start;
+        result.spheres = volume.kind == kernels::Volume::sphere;
+        result.constant = object.constant;
+        result.diameter = volume.diameter;
+        result.inverse_half = inverse_half(volume);
+        result.box = volume.kind == kernels::Volume::box;
+        result.smallest_pixel = smallest_pixel_share<double>() * object.diameter;
+        result.levels = object.levels;
+        result.hash = hash_symbols(object.prefix);
+        result.enclosing = object.enclosing;
+        result.widest = widest_around(scene, object);
+        result.colored =
+            std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
+        result.color = floats(object.color);
+        result.diffuse = static_cast<float>(object.diffuse);
+        result.reflect = static_cast<float>(object.reflect);
+        result.center = object.instance.point(volume.center);
+        result.radius = lipschitz_constant(object.instance) * volume.radius;
+        result.fixed_direction = has_fixed_direction(scene, object);
+        wide.objects.push_back(result);
+    }
+    tabulate_homotheties(wide);
+    return wide;
+}
+
+}  // namespace pxm::host::wide

@@ -1,0 +1,46 @@
+#include "host/wide/tile/wide_engine.hpp"
+
+#include "host/engine/tiles.hpp"
+#include "host/node_program/write_scene_block.hpp"
+#include "host/wide/tile/tile_tracer.hpp"
+
+namespace pxm::host::wide {
+
+namespace {
+
+class LoadedWideScene : public LoadedScene {
+  public:
+    LoadedWideScene(const CompiledScene& scene, int threads)
+        : scene_(scene), threads_(threads), wide_(make_wide_scene(scene)), rest_(scene, wide_) {
+        block_ = make_scene_block<double>(scene);
+    }
+
+    EngineResult run(const CropWindow& window, const RunControl& control) override {
+        EngineResult result;
+        result.frame = Frame(scene_.size, window);
+        run_tiles(
+            blocks_of_tiles(window, wide_.aspect_side, threads_), threads_, control, result, [&] {
+                return std::make_unique<TileTracer>(scene_, wide_, rest_, block_, result.frame);
+            });
+        return result;
+    }
+
+  private:
+    const CompiledScene& scene_;
+    int threads_;
+    WideScene wide_;
+    ClearRest rest_;
+};
+
+}  // namespace
+
+std::unique_ptr<LoadedScene> load_wide(const CompiledScene& scene, const EngineChoice& choice) {
+    return std::make_unique<LoadedWideScene>(scene, choice.threads);
+}
+
+EngineResult run_wide(const CompiledScene& scene, const EngineChoice& choice,
+                      const RunControl& control) {
+    return load_wide(scene, choice)->run(scene.crop, control);
+}
+
+}  // namespace pxm::host::wide
