@@ -1,7 +1,7 @@
 // The scene block: what the host broadcasts into every node's back frame buffer (Ch. 19), as words
-// in the node's format. Records are integers first, then numbers; host/render/write_scene_block
-// fills them in and the kernels read them back. Addresses are word addresses from the start of the
-// block.
+// in the node's format. A record has its integers first, then its numbers;
+// host/node_program/write_scene_block.cpp fills records in, and the kernels read them back.
+// Addresses are word addresses from the start of the block.
 //
 // All lengths are in *scene units*: the host moves the eye to the origin and scales by a power of
 // two, so that a node's numbers stay near 1 whatever the units of the scene.

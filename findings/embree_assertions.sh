@@ -7,7 +7,7 @@
 # name or version says that this one does not.
 #
 # For a program: whatever is measured against this package is measured against code that checks itself as it runs. pxm
-# has Embree as a peer in its benchmarks alone, and docs/performance.md says so at the numbers. Who wants to know how
+# has Embree as a peer in its benchmarks alone, and docs/measurements/other-renderers.md says so at the numbers. Who wants to know how
 # fast Embree is builds it.
 #
 # Seen on 2026-11-30:

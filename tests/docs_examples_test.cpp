@@ -46,7 +46,7 @@ std::vector<Example> examples_in(const fs::path& path) {
 
 std::vector<Example> all_examples() {
     std::vector<Example> examples = examples_in(fs::path(source_dir) / "README.md");
-    for (const auto& entry : fs::directory_iterator(fs::path(source_dir) / "docs"))
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_dir) / "docs"))
         if (entry.path().extension() == ".md")
             for (Example& example : examples_in(entry.path()))
                 examples.push_back(std::move(example));

@@ -47,7 +47,7 @@ std::vector<int> broken_rows(const std::string& text) {
 TEST(DocsTables, every_table_has_a_head_and_its_columns) {
     std::vector<fs::path> documents{fs::path(source_dir) / "README.md",
                                     fs::path(source_dir) / "scenes/README.md"};
-    for (const auto& entry : fs::directory_iterator(fs::path(source_dir) / "docs"))
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_dir) / "docs"))
         if (entry.path().extension() == ".md") documents.push_back(entry.path());
     for (const fs::path& document : documents)
         EXPECT_EQ(broken_rows(text_of(document)), std::vector<int>{}) << document;

@@ -17,7 +17,7 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double detail_of_beams = 0.7;    // of a pixel: measured, as docs/performance.md says
+constexpr double detail_of_beams = 0.7;    // of a pixel: docs/measurements/local-covers.md
 constexpr long places_in_beam = 12;        // where the scene does not say
 constexpr std::size_t measured_sets = 64;  // of a shape; others are taken to be like the first
 

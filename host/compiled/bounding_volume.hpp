@@ -14,7 +14,7 @@ namespace pxm::host {
 [[nodiscard]] CompiledVolume oriented_volume(const OrientedBox& box);
 /// Precondition: the polytope is bounded and `center` is near it.
 [[nodiscard]] CompiledVolume hull_volume(const Polytope& polytope, const glm::dvec3& center);
-/// The unit cone and the unit cylinder (docs/scene-language.md, object).
+/// The unit cone and the unit cylinder (docs/scene-language.md, "object").
 [[nodiscard]] CompiledVolume cone_volume();
 [[nodiscard]] CompiledVolume cylinder_volume();
 

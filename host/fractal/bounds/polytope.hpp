@@ -21,7 +21,7 @@ struct HalfSpace {
 
 using Polytope = std::vector<HalfSpace>;
 
-inline constexpr int most_half_spaces = 32;  // docs/scene-language.md, `hull`
+inline constexpr int most_half_spaces = 32;  // docs/scene-language.md, "object"
 
 /// A bounded polytope that contains E_set, of at most most_half_spaces. `known` as from
 /// approximation().

@@ -2,12 +2,12 @@
 // places of one pixel is done for those of 64 pixels at once. A cell is opened once for the whole
 // tile, nearest first; it carries the pixels whose places it may cover, a bit each, and a small
 // cell gives each of them its part. A file each:
-//   tile_beams.cpp   what a tile's pixels ask, and the light of what they get
-//   beam_view.inl    where cells are seen in the tile's picture, cells in lanes
-//   beam_places.inl  a cell and the places of a pixel, places in lanes
-//   beam_levels.inl  cells go down to the small ones, children in lanes
-//   beam_covers.inl  what a small cell gets of the places, nearest first
-//   beam_sight.inl   what is seen of a cell, the levels of its path in lanes
+//   tile_areas.cpp   what a tile's pixels ask for, and the light of what they get
+//   tile_view.inl    where cells are seen in the tile's picture, cells in lanes
+//   places.inl       a cell and the places of a pixel, places in lanes
+//   area_levels.inl  the way down from cells to the small ones, children in lanes
+//   area_covers.inl  which places a small cell gets, nearest first
+//   area_shade.inl   how a cell is shaded, the levels of its path in lanes
 // A workspace is one thread's; its memory does not grow with the picture. It has as many cells as a
 // ray may test at most, and no more than most_covered places; then the tile is given up.
 #pragma once

@@ -1,4 +1,4 @@
-// The shared levels of an object whose maps are homotheties (Ch. 13): as shared_levels.inl, but a
+// The shared levels of an object whose maps are homotheties (Ch. 13): as packet_levels.inl, but a
 // cell is a centre and a size. In double.
 #if defined(PXM_HOST_WIDE_SEARCH_HOMOTHETY_LEVELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SEARCH_HOMOTHETY_LEVELS_INL

@@ -1,8 +1,8 @@
-// The first cells that the 64 rays of a bundle meet. Three steps, one file each:
-//   shared_levels.inl  the bundle as a whole goes down to *start cells* of a few pixels, nearest
-//                          first, in double
-//   start_cell.inl     the bundle's rays, in lanes, against a start cell, in float
-//   single_ray.inl     each ray that meets it alone, with a cell's children in lanes
+// The first cells that the 64 rays of a packet meet. Three steps, one file each:
+//   packet_levels.inl  the packet as a whole goes down to *entry cells* of a few pixels, nearest
+//                      first, in double
+//   entry_cell.inl     the packet's rays, in lanes, against an entry cell, in float
+//   single_ray.inl     each ray that meets it, by itself, with a cell's children in lanes
 // A workspace is one thread's; its memory does not grow with the picture, and cells that are too
 // small for the pixels of a tile do not fill it: beyond most_shared_cells, or a full arena, the
 // rays that have not found anything yet are left to the clear kernels.

@@ -1,6 +1,6 @@
 // The levels of the paths of rays that have hit below the same start cell, where all cells are
 // balls or all are boxes and no map turns: a cell is a centre and a size, and what does not change
-// from level to level is found once. As the levels of other maps in seen_levels.inl.
+// from level to level is found once. path_levels.inl does the same for all other maps.
 #if defined(PXM_HOST_WIDE_SHADE_HOMOTHETY_PATH_LEVELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SHADE_HOMOTHETY_PATH_LEVELS_INL
 #undef PXM_HOST_WIDE_SHADE_HOMOTHETY_PATH_LEVELS_INL

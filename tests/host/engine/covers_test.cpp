@@ -38,8 +38,8 @@ TEST(Samples, opacity_is_the_share_of_the_area) {
     }
 }
 
-/// Local covers make a set wider by part of a pixel and soften its edge (docs/performance.md says
-/// how they compare with samples): inside all is opaque, a pixel away nothing shows.
+/// Local covers make a set wider by part of a pixel and soften its edge: inside, all is opaque; a
+/// pixel away nothing shows. docs/measurements/local-covers.md compares them with samples.
 TEST(Covers, stand_between_the_set_and_a_pixel_around_it) {
     for (const char* volume : {"sphere", "box"}) {
         long soft = 0;
