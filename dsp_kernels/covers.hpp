@@ -6,9 +6,9 @@
 //   a terminal cell (diameter at most tau_min)                fully;
 //   a cell of a translucent object                            with the object's opacity;
 //   a cell none of whose children the ray meets (Def. 18.2)   by its diameter (Eq. 18.9).
-// A map may jump over the bandwidth (Sec. 18.3): then volumes between the parent's and the child's
-// are thought in, the child's scaled about its centre. The one that just meets the ray is the local
-// cover, and its diameter gives the opacity: no edge is all or nothing.
+// A map may jump over the bandwidth (Sec. 18.3): then volumes are interpolated between the parent's
+// and the child's by scaling the child's about its centre. The one that just meets the ray is the
+// local cover, and its diameter gives the opacity: no edge is all or nothing.
 // Node code: no allocation, no exceptions.
 #pragma once
 
@@ -30,7 +30,7 @@ template <NodeLike Node, class Real = typename Node::Real>
 /// What the children of one cell that the ray misses leave of it.
 template <class Real>
 struct Missed {
-    Real diameter;          // of the smallest volume thought in between that the ray meets
+    Real diameter;          // of the smallest interpolated volume that the ray meets
     std::uint32_t map = 0;  // the child it belongs to
     bool all = true;        // the ray meets no child
 };
@@ -180,14 +180,14 @@ struct CoverRule {
     }
 };
 
-/// One walk along a ray: what came before it, when it is given up, and who looks on.
+/// One walk along a ray: what came before it, when it is given up, and who is told of its cells.
 template <class Real, class See>
 struct CoverWalk {
-    const Cell<Real>* after;     // null, or only what comes after that cell is told
+    const Cell<Real>* after;     // null, or only what comes after that cell is reported
     std::uint64_t most_volumes;  // the cap on cells, as a count of volumes tested
     const See& see;
 
-    /// Tells of a cell; false if no more is wanted.
+    /// Reports a cell; false if no more is wanted.
     template <NodeLike Node>
     [[nodiscard]] bool tell(Node& node, const Cell<Real>& cell,
                             const Shown<Real>& shown) const noexcept {

@@ -25,9 +25,9 @@ void approach(Node& node, Cell<Real>& cell) noexcept {
 }
 
 /// The ray as a volume that fits tightly meets it under local covers: about half again as large,
-/// but by no more than some pixels. Of spheres a part stands out of what they bound, and lets a ray
-/// that passes the object nearby come upon them; boxes may have no such part. Shrinking the ray
-/// about the centre is growing the volume, whatever its kind.
+/// but by no more than some pixels. A sphere stands out of what it bounds, so that a ray that
+/// passes the object nearby meets it; boxes may not stand out at all. Shrinking the ray about the
+/// centre grows the volume, whatever its kind.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Ray<Real> shrunk_for_covers(Node& node, const Search<Real>& search,
                                           const Cell<Real>& cell) noexcept {
@@ -82,7 +82,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     cell.exit = inside->exit < to ? inside->exit : to;
     node.tally(Operation::compare_branch, 1);
     if (!(cell.exit < cell.key)) return true;
-    // A flat cell's interval is a point: rounding alone may part it from its parent's.
+    // A flat cell's interval is a point: rounding alone may separate it from its parent's.
     node.tally(Operation::multiply_add, 2);
     node.tally(Operation::compare_branch, 1);
     if (cell.key - cell.exit > rounding_slack<Real> * cell.key) return false;

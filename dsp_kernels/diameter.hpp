@@ -20,7 +20,7 @@ struct Symmetric {
     Real xx, yy, zz, xy, yz, zx;
 };
 
-/// An off-diagonal entry that is this much smaller than what its two diagonal entries differ by
+/// An off-diagonal entry that is this much smaller than the difference of its two diagonal entries
 /// turns nothing else: theta is then so large that its square would leave the range of Real, and
 /// the rotation changes no entry by as much as a unit of its last place.
 template <class Real>

@@ -94,7 +94,7 @@ class Heap {
         order_[a] = order_[b];
         order_[b] = slot;
     }
-    /// For the key of a cell that is compared with one whose key is at hand.
+    /// Pays for the key of a cell that is compared with one whose key is at hand.
     void tally_look() noexcept { node_.tally(Operation::heap_scattered, 1); }
     void tally_slow_words(const Entry& cell) noexcept {
         node_.tally(Operation::heap_scattered, 1);

@@ -1,7 +1,7 @@
 // Cells that a ray has opened by another word: where cells overlap, many words lead to (nearly) the
 // same one, and what lies inside need not be searched twice. The machine's nodes have no memory for
-// such an account; a native node that keeps one (host/node_program/known_cells.hpp) is asked, and
-// for all others this compiles to nothing.
+// such a record; a native node that keeps one (host/node_program/known_cells.hpp) is asked, and for
+// all others this compiles to nothing.
 #pragma once
 
 #include "dsp_kernels/cell.hpp"
@@ -24,7 +24,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     return false;
 }
 
-/// Whether the node keeps an account of the cells that a ray opens.
+/// Whether the node keeps a record of the cells that a ray opens.
 template <NodeLike Node>
 [[nodiscard]] bool knows_cells(const Node& node) noexcept {
     if constexpr (requires { node.knows_cells(); }) return node.knows_cells();

@@ -6,7 +6,7 @@
 namespace pxm::kernels {
 
 /// The mirrored search from a point with that unit normal, where the pixel has size `pixel`. It
-/// begins p from the mirror, which so does not show in itself. p goes on growing as it did: the
+/// begins at a distance of p, so that the mirror does not show in itself. p grows as it did: the
 /// mirrored viewpoint E_1 (Eq. 15.5, Erratum 15) lies as far behind the mirror as the ray has come,
 /// so p(t_e) / |R_o - E_1| of Eq. 15.6 is the growth there was, and in an orthographic view none.
 template <NodeLike Node, class Real = typename Node::Real>

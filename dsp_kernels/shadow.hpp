@@ -9,8 +9,8 @@
 
 namespace pxm::kernels {
 
-/// From a surface to a directional light. It begins p from the surface, which so does not shadow
-/// itself. `pixel` is p(t_e).
+/// From a surface to a directional light. It begins at a distance of p from the surface, so that
+/// the surface does not shadow itself. `pixel` is p(t_e).
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Search<Real> search_to_light(Node& node, const Search<Real>& eye,
                                            const Vec3<Real>& point, Real pixel,

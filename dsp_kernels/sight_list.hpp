@@ -14,8 +14,8 @@ struct Sight {
     Vec3<Real> place;  // mean of its places, from the first one, in pixels
 };
 
-/// What shows in a pixel. When there is more than it holds, small shares are seen as the cell with
-/// the least.
+/// What shows in a pixel. When there is more than it holds, small shares are added to the cell that
+/// has the least.
 template <class Real>
 struct SightList {
     static constexpr std::uint32_t capacity = 12;

@@ -148,7 +148,7 @@ struct ToSpot {
     Vec2<Real> rows[2];
 };
 
-/// The outermost cell of the attractor but for its place, and the map into the coordinates of the
+/// The outermost cell of the attractor except its place, and the map into the coordinates of the
 /// spot. False if the spot has no area.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] bool outermost_point_cell(Node& node, std::uint32_t texture, const Spot<Real>& spot,

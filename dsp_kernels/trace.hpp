@@ -49,7 +49,7 @@ class Tracer {
     }
 
   private:
-    /// Front to back (Eqs. 18.5, 18.6): `share` is what of the ray is still to be given away.
+    /// Front to back (Eqs. 18.5, 18.6): `share` is the part of the ray still unaccounted for.
     void look_along(PendingRay<Real>& ray, RayKind kind) noexcept {
         watch_ray(node_, kind, ray.search);
         kind_ = kind;
@@ -72,7 +72,7 @@ class Tracer {
         result_.color = add_scaled(node_, result_.color, ray.share, frame_.background);
     }
 
-    /// Whether there is a plane in the part of the ray that counts; then the nearest one.
+    /// Whether there is a plane in the part of the ray that counts; if so, `hit` is the nearest.
     [[nodiscard]] bool meets_plane(const Search<Real>& search, PlaneHit<Real>& hit) noexcept {
         node_.tally(Operation::integer, 1);
         return frame_.planes > 0 && nearest_plane(node_, search.ray, search.start, search.end, hit);
@@ -105,7 +105,7 @@ class Tracer {
         if (!complete) look_one_by_one(ray, beam, whole);
     }
 
-    /// What one search did not come to: places that are open still, each by a ray of its own.
+    /// What one search did not reach: the places that are still open, each by a ray of its own.
     void look_one_by_one(PendingRay<Real>& ray, Beam<Node>& beam, Real whole) noexcept {
         ++result_.counts.restarts;
         for (std::uint32_t i = 0; i < beam.places(); ++i) {
@@ -261,7 +261,7 @@ class Tracer {
         return transparency(search);
     }
 
-    /// What of a light passes all that stands along a shadow ray.
+    /// The share of a light that passes everything along a shadow ray.
     [[nodiscard]] Real transparency(const Search<Real>& search) noexcept {
         PlaneHit<Real> floor;
         if (meets_plane(search, floor)) return Real(0);

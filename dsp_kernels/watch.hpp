@@ -17,7 +17,7 @@ void watch(Node& node, CellEvent event, const Cell<typename Node::Real>& cell) n
     if constexpr (Node::watched) node.watch(event, cell);
 }
 
-/// A search whose cells are told of next.
+/// A search whose cells are reported next.
 template <class Node, class Real = typename Node::Real>
 void watch_ray(Node& node, RayKind kind, const Search<Real>& search) noexcept {
     if constexpr (Node::watched) node.watch_ray(kind, search);

@@ -7,7 +7,7 @@
 
 namespace pxm::host {
 
-/// Makes the scene one of beams, with the places that the render block asks for and the mean
+/// Prepares the scene for beams, with the places that the render block asks for and the mean
 /// coverage of each volume. More places than a beam has, and translucent objects, are errors.
 /// Precondition: the scene's objects and its detail are compiled.
 void cover_by_area(const RenderBlock& render, CompiledScene& scene, Diagnostics& diagnostics);

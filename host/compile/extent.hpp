@@ -1,4 +1,4 @@
-// How far a cell reaches in every direction from the eye, and what of it the eye's rays can meet.
+// How far a cell reaches in every direction from the eye, and which part of it eye rays can meet.
 #pragma once
 
 #include <array>

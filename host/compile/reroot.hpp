@@ -21,9 +21,9 @@ struct Root {
     Affine instance;             // ifs coordinates to world
 };
 
-/// Replaces what is too near the eye of a perspective camera; of the others, nothing changes. If
+/// Replaces what is too near the eye of a perspective camera; all else stays as it is. If
 /// anything was replaced, the scene has another unit. One root for each object, in their order.
-/// Needs all of the scene that rays from the eye need, but for lights and planes.
+/// Needs everything in the scene that rays from the eye need, except lights and planes.
 void reroot(const std::vector<Root>& roots, const View& view, Rays rays, CompiledScene& scene);
 
 }  // namespace pxm::host

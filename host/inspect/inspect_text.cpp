@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t most_maps = 40;   // listed one by one
 constexpr std::size_t most_names = 12;  // in one line
 
-/// Six digits, and 0 for what is 0 but for rounding.
+/// Six digits, and 0 for what is 0 up to rounding.
 std::string number(double x) {
     constexpr double nothing = 1e-12;
     return fmt::format("{:.6g}", std::abs(x) < nothing ? 0.0 : x);
@@ -96,7 +96,7 @@ void add_words(const IfsFacts& ifs, std::string& text) {
                      excess("the determinant's root", longest.actual_over_determinant, "small")));
 }
 
-/// Coordinates that are 0 but for the margin of the bounds.
+/// Coordinates that are 0 within the margin of the bounds.
 glm::dvec3 without_margin(glm::dvec3 p, double size) {
     constexpr double margin = 1e-8;
     for (int i = 0; i < 3; ++i) {

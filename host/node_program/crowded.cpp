@@ -32,7 +32,7 @@ double mean_constant(const glm::dmat3& linear) {
 }
 
 /// Counts the cells of a shape around points of its attractor. Its volumes may be loose: what is
-/// inside of a map is thought in a ball around some points of it.
+/// inside a map is taken to be a ball around some points of it.
 class CrowdCount {
   public:
     explicit CrowdCount(const CompiledShape& shape) : shape_(shape) {

@@ -1,5 +1,5 @@
 // The cells that one ray has opened, for scenes whose cells overlap very much (docs/overlaps.md).
-// What a ray meets inside of a cell is told by the ray in the cell's own coordinates. Where these
+// What a ray meets inside a cell follows from the ray in the cell's own coordinates. Where these
 // are the same to within a step of a quarter to half a pixel, so is what lies inside: the cell that
 // comes first in the order (key, object, word) is opened, and later ones are not.
 #pragma once

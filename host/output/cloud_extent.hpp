@@ -26,7 +26,7 @@ class CloudExtent {
 };
 
 /// `twice` if floats would leave fewer than 2^18 steps across one of the objects or across them
-/// all, or cannot hold the coordinates. What is a point but for rounding has no shape to keep.
+/// all, or cannot hold the coordinates. What is a point up to rounding has no shape to keep.
 [[nodiscard]] CoordinateNumber number_for(const std::vector<CloudExtent>& objects);
 
 }  // namespace pxm::host

@@ -45,7 +45,7 @@ std::optional<std::string> group_of(const fs::path& root, Version version) {
 }
 
 struct Mount {
-    fs::path group;  // what of the hierarchy is seen there
+    fs::path group;  // the part of the hierarchy that is seen there
     fs::path place;
 };
 

@@ -229,7 +229,7 @@ void add_pixels(std::vector<Alarm>& sum, const std::vector<Alarm>& part) {
 std::string alarm_text(const std::vector<Alarm>& alarms) {
     std::string text;
     for (const Alarm& alarm : alarms) {
-        // Rays that were given up are told of with their cap.
+        // Rays that were given up are reported with their cap.
         if (alarm.count == 0 || alarm.name == "capped") continue;
         text += fmt::format("warning: {} {}\n", alarm.count, alarm.text);
     }

@@ -5,8 +5,8 @@
 
 namespace pxm::host {
 
-/// Float; double where the clear kernels have to do the scene and it has hulls: a ray in the face
-/// between two of them meets both, and in float it is lost to neither only by luck.
+/// Float; double where the reference kernels have to do the scene and it has hulls: a ray in the
+/// face between two of them meets both, and in float it is lost to neither only by luck.
 [[nodiscard]] Numeric native_numeric(const CompiledScene& scene);
 
 }  // namespace pxm::host

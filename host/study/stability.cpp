@@ -21,7 +21,7 @@ constexpr int mantissa_bits = std::numeric_limits<long double>::digits;
 constexpr double twin_unit = 3;  // no power of 2: everything is rounded otherwise
 
 /// What computes. A line here is an engine that the study knows. `auto` is the wide engine wherever
-/// it applies, and what it leaves to the clear kernels they do.
+/// it applies, and the reference kernels do what it leaves to them.
 struct NumberChoice {
     const char* name;
     Numeric numeric;

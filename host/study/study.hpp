@@ -64,7 +64,7 @@ struct TextFile {
 /// An experiment: its units, and what is made of their results, in the units' order.
 struct StudyPlan {
     std::vector<Unit> units;
-    std::function<Json(const std::vector<Json>&)> assemble;  // data.json but for its heading
+    std::function<Json(const std::vector<Json>&)> assemble;  // data.json without its heading
     std::function<std::vector<TextFile>(const Json&)> tables;
     std::function<std::string(const Json&, const std::string& folder)> page;
 };

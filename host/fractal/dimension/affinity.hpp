@@ -25,7 +25,7 @@ struct Affinity {
 [[nodiscard]] Affinity affinity_dimension(const Rifs& rifs);
 
 /// The closed form for maps whose singular values multiply along words, up to bounded factors: all
-/// triangular in one order of the axes [FM07], or so but for a plane of two axes that every map
+/// triangular in one order of the axes [FM07], or so except for a plane of two axes that every map
 /// turns and scales as a whole. Nothing if the maps are neither.
 struct ClosedForm {
     Interval dimension;

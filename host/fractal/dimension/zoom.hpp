@@ -1,4 +1,4 @@
-// A random place of an attractor, and what of the attractor lies around it, from one scale to the
+// A random place of an attractor, and the part of the attractor around it, from one scale to the
 // next finer one: how much of a measure the boxes hold that the place lies in.
 #pragma once
 

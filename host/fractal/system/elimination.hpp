@@ -1,5 +1,5 @@
 // Whether a sparse nonnegative matrix grows, by eliminating one follow set after the other: exact
-// but for rounding, also along chains and rings that iteration takes long to go around.
+// up to rounding, also along chains and rings that iteration takes long to go around.
 #pragma once
 
 #include <vector>

@@ -12,7 +12,7 @@ namespace pxm::host {
 namespace {
 
 constexpr double unit = std::numeric_limits<double>::epsilon();
-constexpr double relative = 1e-13;  // of an exponent: what is told of it
+constexpr double relative = 1e-13;  // of an exponent: how finely it is known
 constexpr int most_sweeps = 400;    // of one comparison
 constexpr double work_limit = 2e7;  // entries looked at in one comparison
 constexpr int most_halvings = 60;   // of an interval of exponents

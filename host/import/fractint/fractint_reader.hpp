@@ -59,7 +59,7 @@ class FractintReader {
 /// Entries with this name (in any case) are comments.
 [[nodiscard]] bool is_comment_entry(const FractintEntry& entry);
 
-/// Equal but for the case of ASCII letters.
+/// Equal up to the case of ASCII letters.
 [[nodiscard]] bool same_word(std::string_view a, std::string_view b);
 [[nodiscard]] char lower(char c);
 

@@ -186,7 +186,7 @@ class GrowthSearch {
         return phases(period, factor);
     }
 
-    /// factor^period == ratio, |factor|^2 rounded to a whole number if it is one but for rounding.
+    /// factor^period == ratio, |factor|^2 made a whole number if it is one up to rounding.
     static Complex root(Complex ratio, int period) {
         if (period == 1 && ratio.imag() == 0)
             return std::copysign(nice(std::abs(ratio.real())), ratio.real());

@@ -37,7 +37,7 @@ Position nul_position(const std::string& text, std::size_t nul, int file) {
 
 /// Whether an included text looks like a scene. Of one that does not, no word is shown: whoever
 /// wrote the scene may have named a file that is not his to read. A text without a word may be a
-/// scene's, and what has NUL bytes is told without being shown.
+/// scene's, and what has NUL bytes is reported without being shown.
 bool begins_as_scene(const std::string& text) {
     const Token first = Lexer(text, 0).next();
     return first.kind == TokenKind::end || text.find('\0') != std::string::npos ||

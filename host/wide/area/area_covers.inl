@@ -48,7 +48,7 @@ inline void show_cell(const BeamWorkspace& work, PixelBeam& pixel, int cell, std
         x += part * work.place_x[i];
         y += part * work.place_y[i];
     }
-    // In the roundings of the clear kernels: many shares are equal, and the least of them is
+    // In the roundings of the reference kernels: many shares are equal, and the least of them is
     // merged.
     const double inverse = 1 / sum;
     add_sight(pixel, {cell, sum * (1.0 / work.places), x * inverse, y * inverse});

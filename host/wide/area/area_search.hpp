@@ -144,7 +144,7 @@ struct BeamWorkspace {
     std::vector<BeamReach> reaches;             // of objects of homotheties
     hwy::AlignedFreeUniquePtr<double[]> scratch;
     std::uint64_t tested = 0;
-    bool given_up = false;  // too many cells: the clear kernels are to judge
+    bool given_up = false;  // too many cells: the reference kernels are to judge
     SightPath path;
     std::vector<EnclosingNormal> enclosing;
     std::vector<GivenNormal> given;  // to the sight that is being looked at

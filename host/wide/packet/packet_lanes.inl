@@ -1,4 +1,4 @@
-// The rays of a tile, one in each lane: made when the first of its start cells asks for them.
+// The rays of a tile, one in each lane: made when the first of its entry cells asks for them.
 #if defined(PXM_HOST_WIDE_PACKET_PACKET_LANES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_PACKET_PACKET_LANES_INL
 #undef PXM_HOST_WIDE_PACKET_PACKET_LANES_INL

@@ -1,5 +1,5 @@
 // Up to 64 rays that go much the same way, in coordinates of their own: the z axis W looks along
-// them, and a ray is where it is beside that axis at a depth z. In these numbers a narrow bundle is
+// them, and a ray is where it is beside that axis at a depth z. In these numbers a narrow packet is
 // narrow, however far away or magnified: what its rays share is kept in double, what sets them
 // apart fits a float. The eye rays of an 8x8 tile are one, and so are the shadow rays of what they
 // see.
@@ -18,7 +18,7 @@ namespace pxm::host::wide {
 
 inline constexpr int bundle_rays = tile_side * tile_side;
 
-/// Which aspect (host/wide/tables/candidate_views.hpp) the rays are seen in: one of their own, or
+/// Which view (host/wide/tables/candidate_views.hpp) the rays are seen in: one of their own, or
 /// one that they share with others.
 struct AspectOf {
     enum class Kind { bundle, eye, light };
@@ -27,7 +27,7 @@ struct AspectOf {
     long row = 0;
 };
 
-/// The points origin + (u0 + u1 z, v0 + v1 z, z) of the bundle's frame; the length along a ray is
+/// The points origin + (u0 + u1 z, v0 + v1 z, z) of the packet's frame; the length along a ray is
 /// stretch * z and more or less something. Lanes hold something only once the rays are spread
 /// (host/wide/packet/packet_lanes.inl); most tiles see nothing and never need them.
 struct RayBundle {
@@ -56,7 +56,7 @@ struct RayBundle {
     alignas(64) float pixel1[bundle_rays];
     std::array<double, bundle_rays> end;  // what is at this depth or beyond is not looked for
 
-    struct Fan {  // points of the picture's plane in the bundle's frame, from the eye
+    struct Fan {  // points of the picture's plane in the packet's frame, from the eye
         glm::dvec3 first, per_column, per_row;
     } fan;
     bool perspective = true;
@@ -78,10 +78,10 @@ struct LoneRay {
     double pixel_growth;
 };
 
-/// Whether two rays go so much the same way that they may be in one bundle with the first.
+/// Whether two rays go so much the same way that they may be in one packet with the first.
 [[nodiscard]] bool go_together(const LoneRay& a, const LoneRay& b);
 
-/// The bundle of at most bundle_rays rays, each in the lane of its number.
+/// The packet of at most bundle_rays rays, each in the lane of its number.
 /// Precondition: all go together with the first.
 void gather_rays(RayBundle& bundle, std::span<const LoneRay> rays);
 

@@ -8,7 +8,7 @@
 
 namespace pxm::host::wide {
 
-/// A cell that the bundle's rays share, as seen from the bundle. A point of a ray at depth z is
+/// A cell that the packet's rays share, as seen from the packet. A point of a ray at depth z is
 /// o + (z - base) W + u U + v V in the cell's unit coordinates; o is near the volume's centre.
 struct SharedCell {
     std::array<double, 12> rows;   // U, V, W, o
@@ -16,7 +16,7 @@ struct SharedCell {
     double constant = 1;           // Lipschitz constant of the composed map (otherwise)
     double diameter = 0;           // in scene units
     double base = 0;
-    double near = 0;  // all rays of the bundle are within this interval of depths
+    double near = 0;  // all rays of the packet are within this interval of depths
     double far = 0;   // while they are in the cell
     int set = 0;
     int object = 0;
@@ -27,7 +27,7 @@ struct SharedCell {
     int path = -1;        // index of its path, once a ray has hit below it
 };
 
-/// A shared cell of homotheties: its centre and its size. For balls in the bundle's frame and scene
+/// A shared cell of homotheties: its centre and its size. For balls in the packet's frame and scene
 /// units, z along the axis; for boxes in the unit coordinates of the object.
 struct FixedCell {
     std::array<double, 3> center;
@@ -44,14 +44,14 @@ struct FixedCell {
     int path;
 };
 
-/// What the shared cells of an object of boxes have in common, as seen from the bundle. Along each
+/// What the shared cells of an object of boxes have in common, as seen from the packet. Along each
 /// axis k a ray is at eye[k] + z w[k], more or less spread0[k] + z spread1[k]; kept of the paces
 /// are 1 / (w - spread1) and 1 / (-w - spread1).
 struct BoxBeam {
     std::array<double, 3> eye, spread0, high_pace, low_pace;
 };
 
-/// What a ray was found to meet first: the cell in `lane` of `block`, or the start cell itself.
+/// What a ray was found to meet first: the cell in `lane` of `block`, or the entry cell itself.
 struct Found {
     int start = -1;  // index of a shared cell; -1: nothing
     int block = -1;
@@ -59,7 +59,7 @@ struct Found {
     double depth = 0;
     std::uint32_t tested = 0;  // volumes tested for this ray alone
     bool given_up =
-        false;  // too many of them, or it lies in the face of a box: for the clear kernels
+        false;  // too many of them, or it lies in the face of a box: for the reference kernels
 
     /// Nothing found yet; `below` is left as it is.
     void clear() {
@@ -70,8 +70,8 @@ struct Found {
         given_up = false;
         below_count = -1;
     }
-    // Below a start cell of homotheties (`start` is a fixed cell), instead of a block: lanes in the
-    // sets' tables.
+    // Below an entry cell of homotheties (`start` is a cell of homotheties), instead of a block:
+    // lanes in the sets' tables.
     static constexpr int most_below = most_levels_below;
     int below_count = -1;  // -1: a block and a lane
     std::array<std::uint16_t, most_below> below;

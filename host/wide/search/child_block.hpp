@@ -8,8 +8,8 @@
 
 namespace pxm::host::wide {
 
-/// The children of a cell below a start cell, in lanes; shared by the rays that open it.
-/// Rows: from the start cell's unit coordinates to the children's (12), their diameters, their
+/// The children of a cell below an entry cell, in lanes; shared by the rays that open it.
+/// Rows: from the entry cell's unit coordinates to the children's (12), their diameters, their
 /// constants, and where the Lipschitz method needs them their composed linear parts (9).
 struct Block {
     static constexpr int map = 0;
@@ -20,7 +20,7 @@ struct Block {
     static constexpr int polar_rows = 23;
 
     int set = 0;
-    int parent = -1;          // block; -1: the start cell
+    int parent = -1;          // block; -1: the entry cell
     int lane = 0;             // in the parent block
     std::uint32_t level = 0;  // of the children
     bool last = false;        // they are terminal whatever their size
@@ -28,7 +28,7 @@ struct Block {
     int* opened = nullptr;  // the block of each child, or -1
 };
 
-/// Floats and ints that live until the bundle is done: 128 MiB until it is full, and a cell more.
+/// Floats and ints that live until the packet is done: 128 MiB until it is full, and a cell more.
 class Arena {
   public:
     void clear() {

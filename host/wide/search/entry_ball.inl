@@ -1,5 +1,5 @@
-// A start cell of homotheties that is a ball, and the rays of the bundle: rays in lanes first, then
-// each alone, with the cells in lanes that its place in the aspect
+// An entry cell of homotheties that is a ball, and the rays of the packet: rays in lanes first,
+// then each alone, with the cells in lanes that its place in the view
 // (host/wide/tables/candidate_views.hpp) lists.
 #if defined(PXM_HOST_WIDE_SEARCH_ENTRY_BALL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SEARCH_ENTRY_BALL_INL
@@ -23,13 +23,13 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The rays of the bundle beside the centre of a start cell that is a ball, in units of its radius.
-/// Depths in the bundle's frame are (z + behind) / pace, with z in the aspect's.
+/// The rays of the packet beside the centre of an entry cell that is a ball, in units of its
+/// radius. Depths in the packet's frame are (z + behind) / pace, with z in the view's.
 struct BallRays {
-    alignas(64) float x[bundle_rays];  // at the centre's depth in the aspect's frame
+    alignas(64) float x[bundle_rays];  // at the centre's depth in the view's frame
     alignas(64) float y[bundle_rays];
     alignas(64) float behind[bundle_rays];
-    alignas(64) float key[bundle_rays];  // in the bundle's frame
+    alignas(64) float key[bundle_rays];  // in the packet's frame
 };
 
 inline std::uint64_t meet_ball(const RayBundle& bundle, const AspectRays& aspect,
@@ -71,11 +71,11 @@ inline std::uint64_t meet_ball(const RayBundle& bundle, const AspectRays& aspect
     return met & bundle.inside;
 }
 
-/// In shared aspects, where lists leave out what a ray cannot meet and the frame is not the
-/// bundle's.
+/// In shared views, where lists leave out what a ray cannot meet and the frame is not the
+/// packet's.
 inline constexpr HullShadow no_shadow{};
 
-/// The rays of the bundle in the frame of their aspect.
+/// The rays of the packet in the frame of their view.
 inline void spread_in_aspect(const WideScene& scene, SearchWorkspace& work) {
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
@@ -107,7 +107,7 @@ inline void spread_in_aspect(const WideScene& scene, SearchWorkspace& work) {
     }
 }
 
-/// The list that decides for all rays of a bundle what they find in a start cell: its cells are
+/// The list that decides for all rays of a packet what they find in an entry cell: its cells are
 /// terminal, and none before them is, wherever in the cell. Null if there is none.
 inline const HomothetyTable* deciding_table(const WideScene& scene, const SearchWorkspace& work,
                                             const StartBelow& start) {
@@ -171,7 +171,7 @@ HWY_INLINE std::int32_t nearest_cell(BallRay& ray, float x, float y, const Liste
     return cells.lane[place];
 }
 
-/// A start cell that is a ball, and the rays that look for something inside.
+/// An entry cell that is a ball, and the rays that look for something inside.
 class BallVisit {
   public:
     BallVisit(const WideScene& scene, SearchWorkspace& work, const FixedCell& cell)

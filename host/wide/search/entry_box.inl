@@ -1,4 +1,4 @@
-// A start cell of homotheties that is a box, and the rays of the bundle: rays in lanes first, then
+// An entry cell of homotheties that is a box, and the rays of the packet: rays in lanes first, then
 // each alone.
 #if defined(PXM_HOST_WIDE_SEARCH_ENTRY_BOX_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SEARCH_ENTRY_BOX_INL

@@ -1,4 +1,4 @@
-// A start cell and the rays of the bundle, rays in lanes, in float: which rays meet it, and where.
+// An entry cell and the rays of the packet, rays in lanes, in float: which rays meet it, and where.
 #if defined(PXM_HOST_WIDE_SEARCH_ENTRY_CELL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SEARCH_ENTRY_CELL_INL
 #undef PXM_HOST_WIDE_SEARCH_ENTRY_CELL_INL
@@ -20,7 +20,7 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The rays of the bundle go on alone from here.
+/// The rays of the packet go on alone from here.
 inline void begin_looking(SearchWorkspace& work) {
     if (work.looking) return;
     work.looking = true;
@@ -28,8 +28,8 @@ inline void begin_looking(SearchWorkspace& work) {
     work.clear_found();
 }
 
-/// Leaves a ray to the clear kernels, which follow it in double: too many cells are on its way, or
-/// it lies in a face between two boxes, and floats cannot tell which of the two it meets.
+/// Leaves a ray to the reference kernels, which follow it in double: too many cells are on its way,
+/// or it lies in a face between two boxes, and floats cannot tell which of the two it meets.
 inline void leave_ray(SearchWorkspace& work, int ray) {
     const auto at = static_cast<std::size_t>(ray);
     work.found[at].given_up = true;
@@ -37,7 +37,7 @@ inline void leave_ray(SearchWorkspace& work, int ray) {
     work.improved = true;
 }
 
-/// How the rays of a bundle move in a cell.
+/// How the rays of a packet move in a cell.
 struct BundlePace {
     float touching;  // of depth, that rounding may part boxes by that touch in an edge
     bool parallel;   // a ray may hardly move along an axis, and lie in faces across it
@@ -57,7 +57,7 @@ struct BundlePace {
 };
 
 /// The rays in the cell's unit coordinates; returns those that meet it, a bit each. Rays in its
-/// faces are left to the clear kernels.
+/// faces are left to the reference kernels.
 inline std::uint64_t meet_start_cell(SearchWorkspace& work, const SharedCell& cell,
                                      StartRays& rays) {
     constexpr float rounding = 0x1p-18F;  // of the cell's half width: where a ray is
@@ -100,7 +100,7 @@ inline std::uint64_t meet_start_cell(SearchWorkspace& work, const SharedCell& ce
     return met & bundle.inside & ~in_face;
 }
 
-/// A ray has found a cell below a start cell, at that depth.
+/// A ray has found a cell below an entry cell, at that depth.
 inline void note_found(SearchWorkspace& work, int ray, int start, double depth) {
     const auto at = static_cast<std::size_t>(ray);
     work.found[at].start = start;
@@ -110,7 +110,7 @@ inline void note_found(SearchWorkspace& work, int ray, int start, double depth) 
     work.improved = true;
 }
 
-/// Gives a start cell to the rays of the bundle that meet it.
+/// Gives an entry cell to the rays of the packet that meet it.
 inline void visit_start_cell(const WideScene& scene, SearchWorkspace& work, int index) {
     begin_looking(work);
     const SharedCell cell = work.cells[static_cast<std::size_t>(index)];

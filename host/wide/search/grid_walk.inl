@@ -1,7 +1,7 @@
-// One ray below a start cell whose children are boxes in slices along the axes, as Menger's sponge:
-// the ray goes through the slices one after another, and the first terminal cell it comes to is the
-// nearest. No order has to be made, and cells that are not on the ray are never looked at.
-// Conditions: host/wide/tables/child_grid.hpp.
+// One ray below an entry cell whose children are boxes in slices along the axes, as Menger's
+// sponge: the ray goes through the slices one after another, and the first terminal cell it comes
+// to is the nearest. No order has to be made, and cells that are not on the ray are never looked
+// at. Conditions: host/wide/tables/child_grid.hpp.
 #if defined(PXM_HOST_WIDE_SEARCH_GRID_WALK_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SEARCH_GRID_WALK_INL
 #undef PXM_HOST_WIDE_SEARCH_GRID_WALK_INL
@@ -35,7 +35,7 @@ class GridWalk {
         for (int k = 0; k < 3; ++k) step_[k] = ray.pace[k] > 0 ? 1 : -1;
     }
 
-    /// From the start cell on, whose centre's planes the ray passes at `center`: the nearest
+    /// From the entry cell on, whose centre's planes the ray passes at `center`: the nearest
     /// terminal cell that is nearer than the ray's best. True, and `found` and `depth` changed, if
     /// there is one. `parallel`: the ray may lie in faces.
     template <bool parallel>
@@ -169,7 +169,7 @@ class GridWalk {
 
     const WideScene& scene_;
     const BoxRay& ray_;
-    int level_ = 0;  // below the start cell
+    int level_ = 0;  // below the entry cell
     int step_[3];    // from slice to slice
     float center_[3];
     std::array<WalkedCell, Found::most_below> cells_;

@@ -25,7 +25,7 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// What a ray needs to know of p and of itself, whatever the volumes. Depths are in units of
-/// `length` from the start cell's base.
+/// `length` from the entry cell's base.
 struct FixedRay {
     float pixel_base;
     float pixel_growth;
@@ -65,7 +65,7 @@ HWY_INLINE void keep_places(D d, int i, V x, V y, V z, V size, OpenedCell& opene
     hn::StoreU(size, d, opened.size + i);
 }
 
-/// Balls: lengths in units of the start cell's radius.
+/// Balls: lengths in units of the entry cell's radius.
 struct BallRay : FixedRay {
     float a;  // the ray moves sideways by (a, b) per depth
     float b;
@@ -121,7 +121,7 @@ struct BoxRay : FixedRay {
 
     /// Fills in what follows from the pace.
     HWY_INLINE void know_faces() {
-        constexpr float rounding = 0x1p-20F;  // of the start cell's half width: where a ray is
+        constexpr float rounding = 0x1p-20F;  // of the entry cell's half width: where a ray is
         const float x = std::abs(pace[0]), y = std::abs(pace[1]), z = std::abs(pace[2]);
         const float passing = std::min(std::min(x, y), z);
         const float slowest = passing * static_cast<float>(1 / slowest_share);

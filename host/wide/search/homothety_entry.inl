@@ -1,4 +1,4 @@
-// A start cell of homotheties, and what the rays below it begin with.
+// An entry cell of homotheties, and what the rays below it begin with.
 #if defined(PXM_HOST_WIDE_SEARCH_HOMOTHETY_ENTRY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SEARCH_HOMOTHETY_ENTRY_INL
 #undef PXM_HOST_WIDE_SEARCH_HOMOTHETY_ENTRY_INL
@@ -18,7 +18,7 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A start cell, and what all rays below it have in common.
+/// An entry cell, and what all rays below it have in common.
 struct StartBelow {
     const FixedCell& cell;
     const WideObject& object;
@@ -42,7 +42,7 @@ inline void fill_first(const StartBelow& start, OpenedCell& cell) {
     cell.levels_left = start.object.levels - start.cell.level;
 }
 
-/// A ray below a start cell; depths in the bundle's frame, from the start cell's base.
+/// A ray below an entry cell; depths in the packet's frame, from the entry cell's base.
 HWY_INLINE FixedRay ray_below(const WideScene& scene, const SearchWorkspace& work,
                               const StartBelow& start, int ray, float best) {
     const RayBundle& bundle = work.bundle;
@@ -58,7 +58,7 @@ HWY_INLINE FixedRay ray_below(const WideScene& scene, const SearchWorkspace& wor
     return fixed;
 }
 
-/// Calls `follow(ray, key, best, depth)` for the rays that have met a start cell and found nothing
+/// Calls `follow(ray, key, best, depth)` for the rays that have met an entry cell and found nothing
 /// nearer: whether there is something below it, and at which depth.
 template <class Follow>
 HWY_INLINE void follow_rays(SearchWorkspace& work, const StartBelow& start, int index,

@@ -20,8 +20,8 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The centres of a set's children in the bundle's frame, in units of the cell's radius, made once
-/// a bundle.
+/// The centres of a set's children in the packet's frame, in units of the cell's radius, made once
+/// a packet.
 inline const LaneTable<double>& turn_children(const WideScene& scene, SearchWorkspace& work,
                                               int object, int set) {
     const hn::ScalableTag<double> d;
@@ -45,7 +45,7 @@ inline const LaneTable<double>& turn_children(const WideScene& scene, SearchWork
     return turned;
 }
 
-/// The children of a fixed cell in lanes: rows of the scratch table.
+/// The children of a cell of homotheties in lanes: rows of the scratch table.
 struct FixedRows {
     static constexpr int center = 0;  // 3
     static constexpr int size = 3;
@@ -138,7 +138,7 @@ inline void push_fixed_cell(SearchWorkspace& work, const FixedCell& cell) {
     std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
 }
 
-/// Puts the children of a fixed cell into the queue that a ray of the bundle may meet.
+/// Puts the children of a cell of homotheties into the queue that a ray of the packet may meet.
 inline void open_fixed_cell(const WideScene& scene, SearchWorkspace& work, int index) {
     const hn::ScalableTag<double> d;
     using V = hn::VFromD<decltype(d)>;
@@ -243,14 +243,14 @@ inline void push_fixed_object(const WideScene& scene, SearchWorkspace& work, int
     push_fixed_cell(work, cell);
 }
 
-/// A fixed cell as other shared cells are: from the bundle's frame to its unit coordinates.
+/// A cell of homotheties in the form of other shared cells: the packet's frame to unit coordinates.
 inline void rows_of(const WideObject& object, const RayBundle& bundle, const FixedCell& cell,
                     std::array<double, 12>& rows, double& base) {
     const double shrink = (object.spheres ? object.radius : 1) / cell.size;
     glm::dvec3 axis[3];
     for (int i = 0; i < 3; ++i) axis[i] = object.to_unit.direction(bundle.axis[i]) * shrink;
     glm::dvec3 o;
-    if (object.spheres) {  // the centre is at z along the bundle's axis, and beside it
+    if (object.spheres) {  // the centre is at z along the packet's axis, and beside it
         base = cell.center[2];
         o = -(axis[0] * cell.center[0] + axis[1] * cell.center[1]);
     } else {

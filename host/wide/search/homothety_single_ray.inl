@@ -1,4 +1,4 @@
-// One ray below a start cell whose maps are all homotheties (Ch. 13): a cell is where the ray
+// One ray below an entry cell whose maps are all homotheties (Ch. 13): a cell is where the ray
 // passes its centre, and its size. Each step goes down as many levels at once as leave no terminal
 // cell out. Conditions: host/wide/tables/homothety_tables.hpp.
 #if defined(PXM_HOST_WIDE_SEARCH_HOMOTHETY_SINGLE_RAY_INL) == defined(HWY_TARGET_TOGGLE)
@@ -78,7 +78,7 @@ HWY_INLINE void open_below(const WideScene& scene, const Ray& ray, const PlaceBe
     found.tested += static_cast<std::uint32_t>(cells.count);
 }
 
-/// As follow_ray(), for cells of homotheties: from the start cell, which is filled into the first
+/// As follow_ray(), for cells of homotheties: from the entry cell, which is filled into the first
 /// of the opened ones, on.
 template <class Ray>
 inline bool follow_fixed(const WideScene& scene, SearchWorkspace& work, Ray& ray,

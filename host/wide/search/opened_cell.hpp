@@ -15,7 +15,7 @@ struct PlaceBelow {
     float x;
     float y;
     float z;
-    float size;  // to the start cell's
+    float size;  // to the entry cell's
 };
 
 /// A cell of homotheties that a ray has opened, and what it met inside.
@@ -33,7 +33,7 @@ struct OpenedCell : MetCells {
     bool in_face;  // the ray lies in the face of a box: floats cannot tell what it meets
 };
 
-/// A start cell as the bundle's rays see it, and what the rays below it need.
+/// An entry cell as the packet's rays see it, and what the rays below it need.
 struct StartRays {
     alignas(64) float origin[3][bundle_rays];
     alignas(64) float direction[3][bundle_rays];
@@ -44,15 +44,15 @@ struct StartRays {
     double base = 0;
 };
 
-/// The rays of the bundle in the frame of their aspect.
+/// The rays of the packet in the frame of their view.
 struct AspectRays {
     alignas(64) float a[bundle_rays];  // sideways per depth
     alignas(64) float b[bundle_rays];
     alignas(64) float shrink2[bundle_rays];  // 1 / (1 + a^2 + b^2)
-    alignas(64) float pace[bundle_rays];     // depth in this frame per depth in the bundle's
-    float turn[3][3];                        // the bundle's axes in this frame
+    alignas(64) float pace[bundle_rays];     // depth in this frame per depth in the packet's
+    float turn[3][3];                        // the packet's axes in this frame
     Aspect* aspect = nullptr;
-    std::uint64_t made_for = 0;  // the bundle's number
+    std::uint64_t made_for = 0;  // the packet's number
 };
 
 }  // namespace pxm::host::wide

@@ -1,6 +1,6 @@
-// The levels of the hierarchy that the rays of a bundle share. The bundle goes down as a whole, the
+// The levels of the hierarchy that the rays of a packet share. The packet goes down as a whole, the
 // nearest cell first, until a cell is no larger than a few pixels. All in double: this is where
-// magnification costs digits. A cell is skipped only if no ray of the bundle can meet it.
+// magnification costs digits. A cell is skipped only if no ray of the packet can meet it.
 #if defined(PXM_HOST_WIDE_SEARCH_PACKET_LEVELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SEARCH_PACKET_LEVELS_INL
 #undef PXM_HOST_WIDE_SEARCH_PACKET_LEVELS_INL
@@ -40,7 +40,7 @@ struct Beam {
     V base;
 };
 
-/// The depths at which any ray of the bundle may be in the unit volume, within [near, far].
+/// The depths at which any ray of the packet may be in the unit volume, within [near, far].
 /// Half a cube's width grows by how far the rays are spread along each axis, which is linear in z:
 /// c (z - base) <= q twice for each axis. A ball is cut out of its cube.
 template <class D, class V = hn::VFromD<D>>
@@ -92,14 +92,14 @@ HWY_INLINE void rebase(D d, Beam<V>& beam) {
     beam.base = hn::Add(beam.base, step);
 }
 
-/// p(z) at least, of all rays of the bundle.
+/// p(z) at least, of all rays of the packet.
 HWY_INLINE double pixel_at(const WideScene& scene, const RayBundle& bundle, int object, double z) {
     const double p = bundle.pixel_at_origin + bundle.pixel_growth * z;
     return scene.detail *
            std::max(p, scene.objects[static_cast<std::size_t>(object)].smallest_pixel);
 }
 
-/// Puts the children of a shared cell into the queue that a ray of the bundle may meet.
+/// Puts the children of a shared cell into the queue that a ray of the packet may meet.
 inline void open_shared_cell(const WideScene& scene, SearchWorkspace& work, int index) {
     const hn::ScalableTag<double> d;
     using V = hn::VFromD<decltype(d)>;
@@ -178,7 +178,7 @@ inline void open_shared_cell(const WideScene& scene, SearchWorkspace& work, int 
     }
 }
 
-/// Step 1.1: the outermost cell of an object, if a ray of the bundle may meet it.
+/// Step 1.1: the outermost cell of an object, if a ray of the packet may meet it.
 inline void push_object(const WideScene& scene, SearchWorkspace& work, int index) {
     const hn::CappedTag<double, 1> d;
     using V = hn::VFromD<decltype(d)>;

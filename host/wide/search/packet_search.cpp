@@ -19,11 +19,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
 
-// The largest diameter of a start cell: sharing costs more where maps turn and squash.
+// The largest diameter of an entry cell: sharing costs more where maps turn and squash.
 constexpr double start_pixels_of_homotheties = 16;
 constexpr double start_pixels_of_maps = 24;
 
-/// The depth beyond which no ray of the bundle looks any more.
+/// The depth beyond which no ray of the packet looks any more.
 inline double farthest_best(const SearchWorkspace& work) {
     const hn::ScalableTag<double> d;
     auto farthest = hn::Zero(d);
@@ -77,7 +77,7 @@ inline bool has_too_many_cells(const SearchWorkspace& work) {
     return work.cells.size() + work.fixed_cells.size() > most_shared_cells || work.arena.is_full();
 }
 
-/// Leaves the rays that may find something at `near` or beyond to the clear kernels.
+/// Leaves the rays that may find something at `near` or beyond to the reference kernels.
 inline void give_up_from(SearchWorkspace& work, double near) {
     begin_looking(work);
     for (std::uint64_t rest = work.bundle.inside; rest != 0; rest &= rest - 1) {

@@ -5,7 +5,7 @@
 //   single_ray.inl     each ray that meets it, by itself, with a cell's children in lanes
 // A workspace is one thread's; its memory does not grow with the picture, and cells that are too
 // small for the pixels of a tile do not fill it: beyond most_shared_cells, or a full arena, the
-// rays that have not found anything yet are left to the clear kernels.
+// rays that have not found anything yet are left to the reference kernels.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace pxm::host::wide {
 
-inline constexpr std::size_t most_shared_cells = std::size_t{1} << 17;  // of a bundle
+inline constexpr std::size_t most_shared_cells = std::size_t{1} << 17;  // of a packet
 
 /// One thread's memory for the search of one packet after another.
 struct SearchWorkspace {
@@ -36,18 +36,18 @@ struct SearchWorkspace {
     std::vector<FixedCell> fixed_cells;
     std::vector<BoxBeam> box_beams;             // per object
     std::vector<HullShadow> shadows;            // per object
-    std::vector<std::pair<double, int>> queue;  // (near, cell or ~fixed cell), a heap
+    std::vector<std::pair<double, int>> queue;  // (near, cell or ~homothety cell), a heap
     std::vector<Block> blocks;
     Arena arena;
     StartRays start;
     std::vector<MetChildren> met;                      // of blocks, one below the other
     std::array<OpenedCell, Found::most_below> opened;  // one below the other
-    std::vector<LaneTable<double>> turned;             // children's centres in the bundle's frame
-    std::vector<std::uint64_t> turned_for;             // (bundle, turn) they are right for
+    std::vector<LaneTable<double>> turned;             // children's centres in the packet's frame
+    std::vector<std::uint64_t> turned_for;             // (packet, turn) they are right for
     std::uint64_t bundle_number = 0;
-    std::vector<Aspect> aspects;  // of the bundle itself, of a part of the picture, of each light
+    std::vector<Aspect> aspects;  // of the packet itself, of a part of the picture, of each light
     AspectRays aspect_rays;
-    bool looking = false;  // a start cell has been given to the rays: `found` is theirs
+    bool looking = false;  // an entry cell has been given to the rays: `found` is theirs
     std::array<Found, bundle_rays> found;
     /// What lies beyond is of no interest to a ray: where it found a cell, or where it ends.
     std::array<double, bundle_rays> best;
@@ -57,8 +57,8 @@ struct SearchWorkspace {
     hwy::AlignedFreeUniquePtr<double[]> scratch;  // children of a shared cell, in lanes
 };
 
-/// Fills in `found` for the bundle in the workspace, on the widest registers there are. False, and
-/// nothing filled in, if the bundle came to no start cell: none of its rays meets anything.
+/// Fills in `found` for the packet in the workspace, on the widest registers there are. False, and
+/// nothing filled in, if the packet came to no entry cell: none of its rays meets anything.
 [[nodiscard]] bool search_bundle(const WideScene& scene, SearchWorkspace& work);
 
 }  // namespace pxm::host::wide

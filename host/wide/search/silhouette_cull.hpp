@@ -7,7 +7,7 @@
 
 namespace pxm::host::wide {
 
-/// The shadow that the hull of an object's attractor casts on the plane across the bundle, in radii
+/// The silhouette of the hull of an object's attractor on the plane across the packet, in radii
 /// of its ball: the places (px, py) with x px + y py <= height for each edge. No edges: no cull.
 struct HullShadow {
     static constexpr int most_edges = 6;

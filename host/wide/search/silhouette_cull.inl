@@ -1,7 +1,7 @@
-// A cull for balls: what of a cell can be seen at all lies in the convex hull of its attractor, and
-// on the plane across the bundle the hull's shadow is a polygon. A ray that passes the polygon by
-// more than a terminal cell's diameter meets no terminal ball inside, as each of them has a point
-// of the attractor in it: the picture stays that of the balls (design decision 4).
+// A cull for balls: all that can be seen of a cell lies in the convex hull of its attractor, and
+// on the plane across the packet the hull's silhouette is a polygon. A ray that passes the polygon
+// by more than a terminal cell's diameter meets no terminal ball inside, as each of them has a
+// point of the attractor in it: the picture stays that of the balls (design decision 4).
 // Conditions: homotheties of one follow set, whose hull is that of the maps' fixed points (h(n) =
 // max_i r_i h(n) + n t_i has the solution max_i n x_i); a shadow of few edges that is much smaller
 // than the ball's.
@@ -50,7 +50,7 @@ inline int convex_hull(glm::dvec2* points, int count, glm::dvec2* hull) {
     return size;
 }
 
-/// The shadow of an object's hull in the bundle's frame, in radii from the ball's centre.
+/// The silhouette of an object's hull in the packet's frame, in radii from the ball's centre.
 inline HullShadow make_shadow(const WideObject& object, const RayBundle& bundle) {
     constexpr double largest_share = 0.75;  // of the ball's shadow; beyond it the cull costs more
     constexpr double pi = 3.14159265358979;

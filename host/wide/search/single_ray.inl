@@ -1,6 +1,6 @@
-// One ray below a start cell: the children of a cell in lanes (steps 2.4.1 to 2.4.4 of Alg. 12.4
+// One ray below an entry cell: the children of a cell in lanes (steps 2.4.1 to 2.4.4 of Alg. 12.4
 // for all maps at once). The composed maps of a cell's children are the same for all rays of the
-// bundle: they are made when the first ray opens the cell and kept while the bundle lasts. The ray
+// packet: they are made when the first ray opens the cell and kept while the packet lasts. The ray
 // goes on with the nearest child, and what is left waits for its turn.
 #if defined(PXM_HOST_WIDE_SEARCH_SINGLE_RAY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SEARCH_SINGLE_RAY_INL
@@ -23,7 +23,7 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A cell whose children are to be made: where it is seen from the start cell, and how large.
+/// A cell whose children are to be made: where it is seen from the entry cell, and how large.
 struct Opening {
     const float* map;     // 12 numbers, `stride` apart
     const float* linear;  // 9 numbers, `stride` apart (polar)
@@ -107,7 +107,7 @@ inline int open_cell(const WideScene& scene, SearchWorkspace& work, int block_in
     return opened[lane] = make_block(scene, work, cell, last_level);
 }
 
-/// A ray in a start cell's unit coordinates; depths are measured from the start cell's base.
+/// A ray in an entry cell's unit coordinates; depths are measured from the entry cell's base.
 struct RayInStart {
     float origin[3];
     float direction[3];
@@ -120,7 +120,7 @@ struct RayInStart {
 };
 
 /// How far rounding may move a ray's origin in the coordinates of children, given what it is in the
-/// start cell's.
+/// entry cell's.
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE Lanes3<V> rounding_room(D d, const Lanes3x3<V>& map) {
     const V rounding = hn::Set(d, 0x1p-19F);
@@ -207,7 +207,7 @@ HWY_INLINE int nearest_waiting(const MetCells& cells, float best) {
     return -1;
 }
 
-/// Follows a ray from the start cell (already met, not terminal) to the nearest terminal cell that
+/// Follows a ray from the entry cell (already met, not terminal) to the nearest terminal cell that
 /// is nearer than `ray.best`. True, and `found` changed, if there is one.
 inline bool follow_ray(const WideScene& scene, SearchWorkspace& work, RayInStart& ray, float key,
                        float exit, int root, std::uint32_t last_level, Found& found) {

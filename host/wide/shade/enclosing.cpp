@@ -73,7 +73,7 @@ void find_enclosing(const WideScene& scene, const WideObject& object, const RayB
         if (!(static_cast<double>(bundle.start[ray]) < entry.depth && entry.depth <= entry.exit)) {
             continue;
         }
-        // Normals go through the transpose of the inverse, and then into the bundle's frame.
+        // Normals go through the transpose of the inverse, and then into the packet's frame.
         const glm::dvec3 normal = glm::normalize(entry.normal * cell.inverse.linear);
         found.push_back(
             {glm::vec3{normal * frame}, entry.depth, static_cast<float>(cell.volume.diameter)});

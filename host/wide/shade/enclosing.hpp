@@ -11,12 +11,12 @@
 namespace pxm::host::wide {
 
 struct EnclosingNormal {
-    glm::vec3 normal;  // in the bundle's frame
+    glm::vec3 normal;  // in the packet's frame
     double depth;      // where the ray enters the cell
     float diameter;    // of the cell
 };
 
-/// Those of the cells around `object` that a ray of the bundle enters, in `found`.
+/// Those of the cells around `object` that a ray of the packet enters, in `found`.
 void find_enclosing(const WideScene& scene, const WideObject& object, const RayBundle& bundle,
                     int ray, std::vector<EnclosingNormal>& found);
 

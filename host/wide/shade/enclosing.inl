@@ -18,7 +18,7 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Rays in the coordinates of a cell around the object, `u`, `v` and `w` the bundle's axes there.
+/// Rays in the coordinates of a cell around the object, `u`, `v` and `w` the packet's axes there.
 template <class V>
 struct AroundRays {
     Lanes3<V> u, v, w;
@@ -109,7 +109,7 @@ HWY_INLINE void add_around(D d, const CompiledEnclosure& cell, const AroundRays<
                          ? enter_ball(d, cell.volume, rays)
                          : enter_sides(d, cell.volume, rays);
     const auto gives = hn::And(hit.met, hn::Lt(start, hit.depth));
-    // Normals go through the transpose of the inverse, and into the bundle's frame.
+    // Normals go through the transpose of the inverse, and into the packet's frame.
     const Lanes3<V> seen{dot(hit.normal, rays.u), dot(hit.normal, rays.v), dot(hit.normal, rays.w)};
     const V scale = hn::Div(hn::Set(d, 1.0), hn::Sqrt(dot(seen, seen)));
     const Lanes3<V> normal{hn::IfThenElseZero(gives, hn::Mul(seen.x, scale)),

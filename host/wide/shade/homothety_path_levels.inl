@@ -1,4 +1,4 @@
-// The levels of the paths of rays that have hit below the same start cell, where all cells are
+// The levels of the paths of rays that have hit below the same entry cell, where all cells are
 // balls or all are boxes and no map turns: a cell is a centre and a size, and what does not change
 // from level to level is found once. path_levels.inl does the same for all other maps.
 #if defined(PXM_HOST_WIDE_SHADE_HOMOTHETY_PATH_LEVELS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -18,7 +18,7 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Where the children of a set are: of balls in the bundle's frame, of boxes in the object's.
+/// Where the children of a set are: of balls in the packet's frame, of boxes in the object's.
 struct ChildPlaces {
     int set = -1;
     const HomothetyTable* table = nullptr;
@@ -35,7 +35,7 @@ inline ChildPlaces child_places(const WideScene& scene, Workspace& work, int obj
     return {set, &table, centers.row(0), centers.row(1), centers.row(2)};
 }
 
-/// The levels of a ray's own: where they are from the start cell, and how large.
+/// The levels of a ray's own: where they are from the entry cell, and how large.
 inline bool take_own_homotheties(const WideScene& scene, Workspace& work, const Path& path,
                                  const Found& found, int lane, SeenTogether& t) {
     if (path.shared + found.below_count > Path::capacity) return false;
@@ -69,7 +69,7 @@ inline bool take_own_homotheties(const WideScene& scene, Workspace& work, const 
     return true;
 }
 
-/// Balls, in the bundle's frame and scene units.
+/// Balls, in the packet's frame and scene units.
 struct BallLevels {
     template <class V>
     struct Rays {
@@ -122,16 +122,16 @@ struct BallLevels {
     }
 };
 
-/// Boxes, in the object's unit coordinates from the start cell's centre.
+/// Boxes, in the object's unit coordinates from the entry cell's centre.
 struct BoxLevels {
     template <class V>
     struct Rays {
-        Lanes3<V> origin;      // where they pass the start cell's base
+        Lanes3<V> origin;      // where they pass the entry cell's base
         Lanes3<V> pace;        // depth per unit of each axis
         Lanes3<V> half;        // its size
         Lanes3<V> slow;        // half, along axes that the rays hardly move along; else 0
         bool parallel;         // to some faces
-        Lanes3<V> normals[3];  // of the faces where they enter, in the bundle's frame
+        Lanes3<V> normals[3];  // of the faces where they enter, in the packet's frame
     };
     template <class V>
     struct Cell {

@@ -48,7 +48,7 @@ struct PathWalk {
 };
 
 /// How much a place faces a point light: the weighted mean over the cells of its path, each by
-/// itself (Eq. 17.3 in full, as dsp_kernels/lights.hpp). `light` in the bundle's frame.
+/// itself (Eq. 17.3 in full, as dsp_kernels/lights.hpp). `light` in the packet's frame.
 class PointLightSum {
   public:
     PointLightSum(const RayBundle& bundle, int ray, const glm::dvec3& light)
@@ -80,7 +80,7 @@ class PointLightSum {
     int count_ = 0;
 };
 
-/// The bundle's frame to scene units.
+/// The packet's frame to scene units.
 inline glm::vec3 to_scene(const RayBundle& bundle, const glm::vec3& v) {
     return glm::vec3{bundle.axis[0]} * v.x + glm::vec3{bundle.axis[1]} * v.y +
            glm::vec3{bundle.axis[2]} * v.z;

@@ -1,5 +1,5 @@
-// The cells on the way from an object to a start cell: what shading (Ch. 17) adds up. They are made
-// once and serve all rays that hit below it.
+// The cells on the way from an object to an entry cell: what shading (Ch. 17) adds up. They are
+// made once and serve all rays that hit below it.
 #if defined(PXM_HOST_WIDE_SHADE_PATH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PXM_HOST_WIDE_SHADE_PATH_INL
 #undef PXM_HOST_WIDE_SHADE_PATH_INL
@@ -31,7 +31,7 @@ inline std::size_t child_lane(const WideSet& set, int symbol) {
     return static_cast<std::size_t>(found - set.maps.begin());
 }
 
-/// A path to fill in, for a start cell at that level.
+/// A path to fill in, for an entry cell at that level.
 inline Path& new_path(const WideScene& scene, Workspace& work, int object, std::uint32_t level,
                       int& index) {
     if (work.paths.size() == work.paths_used) work.paths.push_back(Path{});
@@ -45,7 +45,7 @@ inline Path& new_path(const WideScene& scene, Workspace& work, int object, std::
     return path;
 }
 
-/// A start cell that is smaller than this share of its object: a float cannot tell well enough
+/// An entry cell that is smaller than this share of its object: a float cannot tell well enough
 /// where rays enter the largest cells on its path.
 inline constexpr double deep_share = 0x1p-10;
 
@@ -61,7 +61,7 @@ inline void put_level(Path& path, int level, double base, double diameter, const
     if (level == 0) path.deep = diameter * deep_share > path.start_diameter;
 }
 
-/// The path of a start cell, its shared levels filled in. Null if it is too long.
+/// The path of an entry cell, its shared levels filled in. Null if it is too long.
 inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
     SharedCell& cell = work.cells[static_cast<std::size_t>(start)];
     if (cell.level + 1 > Path::capacity) return nullptr;

@@ -1,4 +1,4 @@
-// The levels of the paths of rays that have hit below the same start cell, a ray in each lane:
+// The levels of the paths of rays that have hit below the same entry cell, a ray in each lane:
 // where each ray enters each cell. What the rays share is broadcast; of the other levels each has
 // its own.
 #if defined(PXM_HOST_WIDE_SHADE_PATH_LEVELS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -34,7 +34,7 @@ inline void take_ray(const WideScene& scene, const RayBundle& bundle, const Path
     t.pixel_growth[lane] = static_cast<float>(scene.detail * growth);
 }
 
-/// The levels of a ray's own: maps from the start cell's unit coordinates to theirs.
+/// The levels of a ray's own: maps from the entry cell's unit coordinates to theirs.
 inline bool take_own_maps(const WideScene& scene, const Workspace& work, const Path& path,
                           const Found& found, int lane, SeenTogether& t) {
     SeenWord& word = t.words[static_cast<std::size_t>(lane)];
@@ -69,8 +69,8 @@ inline bool take_own_maps(const WideScene& scene, const Workspace& work, const P
 
 enum class PathSide { entry, exit };
 
-/// A ray so near to a face of a box, in its half widths, is left to the clear kernels: they know
-/// in double whether it enters there.
+/// A ray so near to a face of a box, in its half widths, is left to the reference kernels: they
+/// know in double whether it enters there.
 inline constexpr double face_room = 0x1p-12;
 
 template <class D>
@@ -92,7 +92,7 @@ HWY_INLINE void put_hits(D d, V v, float* to) {
     }
 }
 
-/// Rays beside the bundle's axis.
+/// Rays beside the packet's axis.
 template <class V>
 struct BesideAxis {
     V u0, u1, v0, v1;
@@ -104,8 +104,8 @@ HWY_INLINE BesideAxis<V> rays_beside(D d, const SeenTogether& t, int lane) {
     return {beside(0), beside(1), beside(2), beside(3)};
 }
 
-/// Where rays are in a cell, from the start cell's base; the normals are those where they enter
-/// (leave) it, in the bundle's frame.
+/// Where rays are in a cell, from the entry cell's base; the normals are those where they enter
+/// (leave) it, in the packet's frame.
 template <class V>
 struct LevelHits {
     V key, exit;

@@ -1,4 +1,4 @@
-// What rays see of the cells that they have found below the same start cell (Ch. 17), a ray in each
+// What rays see of the cells that they have found below the same entry cell (Ch. 17), a ray in each
 // lane. The walk along a path checks what the search skipped. As dsp_kernels/shade.hpp and
 // lights.hpp.
 #if defined(PXM_HOST_WIDE_SHADE_SHADE_HITS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -258,7 +258,7 @@ inline std::uint64_t see_path(const WideScene& scene, Workspace& work, Path& pat
     return confirmed;
 }
 
-/// Looks at what rays of the bundle have found; `seen[ray]` is filled in. Returns those whose walk
+/// Shades what rays of the packet have found; `seen[ray]` is filled in. Returns those whose walk
 /// is confirmed.
 inline std::uint64_t see(const WideScene& scene, Workspace& work, std::uint64_t rays,
                          SeenCell* const* seen) {

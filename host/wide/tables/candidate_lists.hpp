@@ -25,7 +25,7 @@ struct ListedCells {
 /// All cells of a table of at most most_maps, with their centres as given.
 [[nodiscard]] ListedCells whole_table(const HomothetyTable& table, const LaneTable<float>& centers);
 
-/// Rays go along z of the aspect's frame, more or less: a ray moves sideways by (a, b) per depth,
+/// Rays go along z of the view's frame, more or less: a ray moves sideways by (a, b) per depth,
 /// where a^2 + b^2 <= reach^2.
 struct AspectView {
     glm::dvec3 axis[3];  // unit vectors in scene units, perpendicular
@@ -54,7 +54,7 @@ class AspectTable {
                 lane_.data() + begin,
                 static_cast<int>(begin_[square + 1] - begin)};
     }
-    std::uint64_t made_for = 0;  // the aspect's number
+    std::uint64_t made_for = 0;  // the view's number
 
   private:
     [[nodiscard]] int place(float beside) const {

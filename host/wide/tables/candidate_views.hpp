@@ -42,12 +42,12 @@ struct Aspect {
 struct AspectOf;
 struct RayBundle;
 
-/// The aspect of a bundle, of those kept in `aspects`: its own, where rays of a part of the picture
+/// The view of a packet, of those kept in `aspects`: its own, where rays of a part of the picture
 /// go too far aside, or objects are turned in too many ways.
 [[nodiscard]] Aspect& aspect_of(const WideScene& scene, const RayBundle& bundle,
                                 std::vector<Aspect>& aspects);
 
-/// The side in pixels of the parts of a picture that share an aspect, a multiple of tile_side.
+/// The side in pixels of the parts of a picture that share a view, a multiple of tile_side.
 [[nodiscard]] long aspect_side(const CompiledCamera& camera, const PixelSize& size);
 
 }  // namespace pxm::host::wide

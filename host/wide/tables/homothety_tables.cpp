@@ -12,7 +12,7 @@ namespace pxm::host::wide {
 namespace {
 
 constexpr double rounding = 1e-6;
-constexpr double largest_ratio = 0.9;  // a start cell's paths are at most most_levels_below long
+constexpr double largest_ratio = 0.9;  // an entry cell's paths are at most most_levels_below long
 // Systems with very many follow sets have tables of several levels for some of them only.
 constexpr std::size_t most_composed = std::size_t{1} << 18;
 // Each way of being turned may have a table of each set.

@@ -204,7 +204,7 @@ std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
     if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
     if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
     if (needs_covers(scene) && !scene.area) {
-        return "local covers by diameter and translucent objects are the clear kernels'";
+        return "local covers by diameter and translucent objects are the reference kernels'";
     }
     const Limits limits(scene);
     if (scene.area) {  // the cells of all objects share the places of a pixel

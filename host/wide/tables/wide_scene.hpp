@@ -161,7 +161,7 @@ struct WideScene {
 };
 
 /// Why nothing of this scene can be rendered by the wide engine; empty if it can, or if at least
-/// one of its objects can: the others are left to the clear kernels then.
+/// one of its objects can: the others are left to the reference kernels then.
 [[nodiscard]] std::string why_not_wide(const CompiledScene& scene, Numeric numeric);
 
 /// How the first cells of one object are found in native renders in float.

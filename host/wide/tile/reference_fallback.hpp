@@ -1,5 +1,5 @@
-// The objects that the wide engine leaves to the clear kernels, in a scene that has others: each
-// ray looks for their first cell no farther than for what it has found already.
+// The objects that the wide engine leaves to the reference kernels, in a scene that has others:
+// each ray looks for their first cell no farther than for what it has found already.
 #pragma once
 
 #include <cstdint>

@@ -102,7 +102,7 @@ void TileTracer::render_area() {
     aim_beams();
     search_beams(wide_, *beams_);
     area_count_ = 0;
-    const std::uint64_t inside = work_.bundle.inside;  // shadows are a bundle of their own
+    const std::uint64_t inside = work_.bundle.inside;  // shadows are a packet of their own
     if (beams_->given_up) {
         unclear_ = inside;
     } else {
@@ -237,7 +237,7 @@ TileTracer::AreaPlace& TileTracer::next_area_place() {
     return area_[area_count_++];
 }
 
-/// What a pixel shows in mirrors is no more than the clear kernels have room for
+/// What a pixel shows in mirrors is no more than the reference kernels have room for
 /// (dsp_kernels/pending_rays.hpp): of more rays those that matter least are given up.
 void TileTracer::forget_least_mirrors() {
     constexpr int most = kernels::PendingRays<double>::capacity;
@@ -253,7 +253,7 @@ void TileTracer::forget_least_mirrors() {
     }
 }
 
-/// Lights all that shows in the tile, a bundle of shadow rays after the other.
+/// Lights all that shows in the tile, one packet of shadow rays after another.
 void TileTracer::light_area() {
     constexpr std::size_t most = bundle_rays;
     for (std::size_t first = 0; first < area_count_; first += most) {

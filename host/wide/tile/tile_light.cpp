@@ -1,4 +1,4 @@
-// The light that the places a tile sees send back: shadow rays and mirror rays, in bundles of those
+// The light that the places a tile sees send back: shadow rays and mirror rays, in packets of those
 // that go together.
 #include <algorithm>
 #include <bit>
@@ -48,7 +48,7 @@ void TileTracer::cast_shadows() {
     }
 }
 
-/// Shadow rays that go together, as one bundle.
+/// Shadow rays that go together, as one packet.
 void TileTracer::search_shadows(std::size_t light) {
     std::array<std::size_t, bundle_rays> places;
     const LoneRay first = shadows_.front().second;
@@ -126,7 +126,7 @@ void TileTracer::mirror(const Lane& lane, const LitPlace& place, double share) {
     pending_.push_back({lane.pixel, share, lane.bounces_left - 1, ray});
 }
 
-/// Mirror rays that go much the same way, as one bundle.
+/// Mirror rays that go much the same way, as one packet.
 void TileTracer::look_into_mirrors() {
     const LoneRay first = pending_.front().ray;
     batch_.clear();

@@ -12,7 +12,7 @@ namespace pxm::host::wide {
 void TileTracer::render_plainly() {
     place_ = scene_.samples[0];
     aim_at_tile(work_.bundle, scene_.camera, frame_.crop, left_, top_, place_);
-    const std::uint64_t inside = work_.bundle.inside;  // shadows are a bundle of their own
+    const std::uint64_t inside = work_.bundle.inside;  // shadows are a packet of their own
     const auto objects = static_cast<std::uint32_t>(wide_.objects.size());
     if (!search_bundle(wide_, work_)) {
         if (inside == ~std::uint64_t{0}) return see_nothing();

@@ -109,7 +109,7 @@ double TileTracer::depth_at(int lane, double length) const {
                     work_.bundle.axis[2]);
 }
 
-/// What the lanes of the bundle see, front to back: cells, planes, the background.
+/// What the lanes of the packet see, front to back: cells, planes, the background.
 void TileTracer::look(Kind kind) {
     lit_count_ = 0;
     if (!scene_.planes.empty()) meet_planes();
@@ -186,7 +186,7 @@ void TileTracer::see_cell_in(Kind kind, int i) {
     if (kind == Kind::first_sample) record_cell(place.seen, t, pixel_at(lane.pixel));
 }
 
-/// Looks for an object of the clear kernels in front of all else. False if there is none.
+/// Looks for an object of the reference kernels in front of all else. False if there is none.
 bool TileTracer::see_rest(Kind kind, int i) {
     const Lane& lane = lanes_[static_cast<std::size_t>(i)];
     const Found& found = work_.found[static_cast<std::size_t>(i)];
@@ -273,7 +273,7 @@ void TileTracer::store() {
     });
 }
 
-/// Lets the clear kernels have a pixel after `tested` volumes.
+/// Lets the reference kernels have a pixel after `tested` volumes.
 void TileTracer::render_clearly(int i, std::uint32_t tested) {
     const auto x = static_cast<std::uint32_t>(left_ + i % tile_side);
     const auto y = static_cast<std::uint32_t>(top_ + i / tile_side);

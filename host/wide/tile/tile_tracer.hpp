@@ -1,7 +1,7 @@
 // What is seen through the pixels of an 8x8 tile, with shadows, mirrors, planes and samples: as
-// dsp_kernels/trace.hpp, but a step is done for a whole bundle of rays before the next one. Cells
-// are found by bundle_search; planes and textures are the clear kernels' own. A pixel with a ray
-// that the search gives up, or a hit that is not confirmed in float, is rendered by the clear
+// dsp_kernels/trace.hpp, but a step is done for a whole packet of rays before the next one. Cells
+// are found by host/wide/search; planes and textures are the reference kernels' own. A pixel with a
+// ray that the search gives up, or a hit that is not confirmed in float, is rendered by the clear
 // kernels from its beginning.
 #pragma once
 
@@ -50,7 +50,7 @@ class TileTracer {
 
     enum class Kind { first_sample, sample, mirror };
 
-    /// A ray of the bundle: where it adds to, and how much.
+    /// A ray of the packet: where it adds to, and how much.
     struct Lane {
         int pixel;  // of the tile
         double share;
@@ -139,7 +139,7 @@ class TileTracer {
     kernels::FrameConstants<double> constants_;
     kernels::PixelResult<double> result_;
     ClearPixel clear_pixel_;
-    bool needs_all_rays_;  // there are planes, or objects of the clear kernels
+    bool needs_all_rays_;  // there are planes, or objects of the reference kernels
     bool needs_rays_;      // there are planes, shadows or mirrors
     bool is_plain_;        // render_plainly() will do
     std::optional<ClearSearch> rest_;
@@ -154,7 +154,7 @@ class TileTracer {
     std::array<LitPlace, bundle_rays> lit_;
     std::size_t lit_count_ = 0;
     std::array<PixelSum, bundle_rays> sums_;
-    std::uint64_t unclear_ = 0;  // pixels that the clear kernels are to render
+    std::uint64_t unclear_ = 0;  // pixels that the reference kernels are to render
     std::vector<PendingRay> pending_;
     std::vector<LoneRay> batch_;
     std::vector<std::pair<std::size_t, LoneRay>> shadows_;  // of a lit place

@@ -1,5 +1,5 @@
-// The wide engine: the native engine on wide registers. The same picture as the clear kernels give
-// in double (docs/design.md, decision 4), found another way.
+// The wide engine: the native engine on wide registers. The same picture as the reference kernels
+// give in double (docs/design.md, decision 4), found another way.
 #pragma once
 
 #include "host/engine/engine.hpp"

@@ -36,7 +36,7 @@ TEST(StabilityStudy, nothing_fails_silently) {
     EXPECT_GT(right, 140);
     EXPECT_EQ(wide["zoom 1e+06"]["engine"], "wide");
     EXPECT_EQ(wide["zoom 1e+06"]["grade"], "right") << "where float is not";
-    EXPECT_EQ(wide["singular map 0"]["engine"], "heap") << "left to the clear kernels";
+    EXPECT_EQ(wide["singular map 0"]["engine"], "heap") << "left to the reference kernels";
     EXPECT_EQ(wide["contraction 0.9999"]["alarms"]["capped"], 16 * 12);
 }
 

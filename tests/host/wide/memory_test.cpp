@@ -1,5 +1,5 @@
 // Laws of what the wide engine keeps of a tile: tables have bounds, and beyond them pixels are the
-// clear kernels'.
+// reference kernels'.
 #include <gtest/gtest.h>
 
 #include "host/wide/search/packet_search.hpp"

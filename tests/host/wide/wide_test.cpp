@@ -104,7 +104,7 @@ TEST(WideChoice, says_why_not) {
               "the numbers are double, and the wide engine's are float");
     EXPECT_EQ(reason(scene_of("tetra", "samples: 4")), "");
     EXPECT_EQ(reason(scene_of("tetra", "covers: on")),
-              "local covers by diameter and translucent objects are the clear kernels'");
+              "local covers by diameter and translucent objects are the reference kernels'");
     EXPECT_EQ(reason(scene_of("tetra", "volume: hull")),
               "object \"tetra\" has bounding volumes that are neither balls nor boxes");
 }

@@ -1,9 +1,9 @@
-// Local covers by area in the wide engine (host/wide/area/area_search.hpp): what the clear kernels
-// show in double. Where all rays of a tile are parallel the two do the same sums, and the pictures
-// are the same but for ties. In perspective the cells of a pixel are put in the order in which they
-// lie from the eye, not in that of their depths along the pixel's first ray, and are as the ray
-// through their middle sees them: at 48 columns, where a pixel is a 70th of the distance, that is a
-// few thousandths of a pixel.
+// Local covers by area in the wide engine (host/wide/area/area_search.hpp): what the reference
+// kernels show in double. Where all rays of a tile are parallel the two do the same sums, and the
+// pictures are the same but for ties. In perspective the cells of a pixel are put in the order in
+// which they lie from the eye, not in that of their depths along the pixel's first ray, and are as
+// the ray through their middle sees them: at 48 columns, where a pixel is a 70th of the distance,
+// that is a few thousandths of a pixel.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -225,7 +225,7 @@ TEST(BeamZoom, is_right_at_any_magnification) {
     EXPECT_LE(found.clear, 0.01 * found.pixels);
 }
 
-/// Cells around the eye are the clear kernels' still, and all tiles that see them.
+/// Cells around the eye are the reference kernels' still, and all tiles that see them.
 TEST(BeamInside, leaves_what_is_around_the_eye) {
     const CompiledScene scene = compile_roomy(
         scene_of("menger", "covers: area", "size: 24,18") +
@@ -246,7 +246,7 @@ TEST(BeamChoice, says_why_not) {
     };
     EXPECT_EQ(reason(scene_of("elm", "covers: area")), "");
     EXPECT_EQ(reason(scene_of("elm", "covers: on")),
-              "local covers by diameter and translucent objects are the clear kernels'");
+              "local covers by diameter and translucent objects are the reference kernels'");
     EXPECT_EQ(reason(scene_of("tetra", "covers: area volume: hull")),
               "object \"tetra\" has bounding volumes that are neither balls nor boxes, and local "
               "covers by area are done by one engine");

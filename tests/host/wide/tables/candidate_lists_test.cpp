@@ -70,7 +70,7 @@ WideScene balls_of(const std::string& system) {
     return make_wide_scene(compile_text(scene_of(system, "volume: sphere")));
 }
 
-/// Of the pixels that the clear kernels and the wide engine hit.
+/// Of the pixels that the reference kernels and the wide engine hit.
 double share_of_same_colors(const CompiledScene& scene) {
     EngineChoice clear;
     clear.numeric = Numeric::twice;

@@ -1,4 +1,4 @@
-// Laws of what the wide engine leaves to the clear kernels.
+// Laws of what the wide engine leaves to the reference kernels.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

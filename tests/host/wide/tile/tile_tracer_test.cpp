@@ -1,5 +1,5 @@
-// Shadows, mirrors, planes and samples of the wide engine: what the clear kernels see in double.
-// Where a shadow falls along the edge of a cell, or a mirror shows one, rounding decides.
+// Shadows, mirrors, planes and samples of the wide engine: what the reference kernels see in
+// double. Where a shadow falls along the edge of a cell, or a mirror shows one, rounding decides.
 #include <gtest/gtest.h>
 
 #include <hwy/targets.h>
@@ -34,7 +34,7 @@ std::vector<Feature> features() {
         "0.3,0.2,0.1 } plane floor { point: 0,-0.6,0 normal: 0,1,0 texture: "
         "boards }";
     const std::string mirror = std::string(floor_below) + "reflect: 0.5 }";
-    // Maps that squash more than 16 times are the clear kernels'.
+    // Maps that squash more than 16 times are the reference kernels'.
     const std::string with_needles =
         "ifs needles { newmap scale: 0.02,0.45,0.02 translate: 0.3,0,0 newmap scale: 0.6 newmap "
         "scale: 0.45 translate: -0.3,0.3,0.2 } object it { ifs: SYSTEM reflect: 0.2 } object them "
