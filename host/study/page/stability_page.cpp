@@ -208,9 +208,9 @@ std::string stability_page(const Json& data, const std::string&) {
     Page page("Stability in each number type");
     page.paragraph(fmt::format(
         "Every case is rendered in each number type by the reference kernels, and by the wide "
-        "engine "
-        "where it applies. A pixel is wrong if it hits where the reference misses, or the other "
-        "way round, or lies more than a pixel away from it, or if the reference itself had to "
+        "engine where it applies. A pixel is wrong if it hits where the reference misses, or the "
+        "other way round, or lies more than a pixel away from it, or if the reference itself had "
+        "to "
         "give it up. Up to {:.1f} % wrong pixels are right, up to {:.0f} % degraded; beyond that a "
         "render has failed: reported if it raised an alarm or was refused, silent if not. The "
         "reference is the same program in {}, with {} bits of mantissa.",
