@@ -5,7 +5,7 @@
 
 namespace pxm::host {
 
-/// Runs the program. Throws Error for the user's mistakes; what main prints and returns.
+/// Runs the program. Throws Error for the user's mistakes, which main prints.
 [[nodiscard]] ExitCode run_command_line(int argc, const char* const* argv);
 
 }  // namespace pxm::host

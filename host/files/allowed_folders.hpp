@@ -13,7 +13,7 @@ class AllowedFolders {
     /// Everywhere: for text that is in memory and has no folder.
     AllowedFolders() = default;
     /// The folder that holds `scene_path`, and `allowed`. Throws Error(ExitCode::command_line) if
-    /// one of `allowed` is no folder.
+    /// one of `allowed` is not a folder.
     AllowedFolders(const std::string& scene_path, const std::vector<std::string>& allowed);
 
     /// The file's path with its links followed. Throws Error(ExitCode::file) if that is outside;

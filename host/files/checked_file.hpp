@@ -1,5 +1,5 @@
-// A file whose every write is checked: the first that fails is remembered and told, whoever asked
-// for it. Libraries' writers often do not ask.
+// A file whose every write is checked: the first failure is remembered and reported, whoever caused
+// it. The writers of libraries often ignore failures.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ class CheckedFile {
     /// Writes at a place in bytes, or soon: what follows on what was written last is collected.
     /// False once any write has failed.
     bool write_at(std::int64_t place, const void* data, std::size_t bytes) noexcept;
-    /// Reads what is there of it, also of what is still collected; the bytes read.
+    /// Reads what is there, including what is still collected; returns the bytes read.
     std::size_t read_at(std::int64_t place, void* data, std::size_t bytes) noexcept;
     /// In bytes, with what is still collected; 0 if it cannot be told.
     [[nodiscard]] std::int64_t size() noexcept;

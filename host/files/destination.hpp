@@ -1,5 +1,5 @@
 // What a path names before anything is written there: a file to be replaced or made, or something
-// that is no file (a pipe, a terminal, the null device), which is written to and never replaced.
+// that is not a file (a pipe, a terminal, the null device), which is written to and never replaced.
 #pragma once
 
 #include <sys/stat.h>
@@ -22,7 +22,7 @@ struct Destination {
 /// Throws Error(ExitCode::file) with the reason unless something can be written there.
 [[nodiscard]] Destination find_destination(const std::string& path);
 
-/// Opens what is no file for writing; waits for a reader where a pipe wants one. Throws
+/// Opens what is not a file for writing; waits for a reader where a pipe wants one. Throws
 /// Error(ExitCode::file).
 [[nodiscard]] int open_destination(const Destination& destination);
 

@@ -36,7 +36,7 @@ class RegularFile {
 
 inline constexpr std::size_t text_bytes = std::size_t{64} << 20U;  // of a file that is text
 
-/// A file's whole text. What is no regular file, or larger than text_bytes, is an
+/// A file's whole text. What is not a regular file, or larger than text_bytes, is an
 /// Error(ExitCode::file).
 [[nodiscard]] std::string read_file(const std::string& path);
 /// The same of a file at `place`, which messages call `path`.

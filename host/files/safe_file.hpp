@@ -1,5 +1,5 @@
-// Files that are there whole or not at all: written beside their place, then renamed. What is no
-// file (a pipe, a device) is written to instead.
+// Files that are there whole or not at all: written beside their place, then renamed. What is not
+// a file (a pipe, a device) is written to instead.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// All that can be known of a scene before a ray is cast: what `pxm inspect` tells. Facts only; how
+// All that can be known of a scene before a ray is cast: what `pxm inspect` says. Facts only; how
 // they are written stands in host/inspect/inspect_json and inspect_text.
 #pragma once
 

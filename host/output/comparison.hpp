@@ -8,7 +8,7 @@
 namespace pxm::host {
 
 /// Shares are of all pixels, 0..1. What a file has no channel for is -1. Words are compared as they
-/// are: those of another scene are others even where the picture is the same.
+/// are: those of another scene differ even where its picture is the same.
 struct Comparison {
     double hits = -1;              // one hits, the other does not (Z)
     double words = -1;             // both hit, different cells (object, word)
@@ -51,7 +51,7 @@ class ImageComparison {
     ChannelPair z_;
     ChannelPair word_;
     ChannelPair object_;
-    double pixel_at_eye_;  // p(t) = pixel_at_eye + pixel_growth t, of the first file; 0: not told
+    double pixel_at_eye_;  // p(t) = pixel_at_eye + pixel_growth t, of the first file; 0: not given
     double pixel_growth_;
     std::size_t pixels_ = 0;
     std::size_t hits_ = 0, words_ = 0, depths_ = 0, colors_ = 0, other_cell_colors_ = 0;

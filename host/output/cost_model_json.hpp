@@ -8,7 +8,7 @@
 
 namespace pxm::host {
 
-/// Reads a cost model. Throws Error: a file that cannot be read (4); one that is no JSON, or with
+/// Reads a cost model. Throws Error: a file that cannot be read (4); one that is not JSON, or with
 /// an entry that is missing, unknown, negative or not a number (2, naming the entry).
 [[nodiscard]] CostModel read_cost_model(const std::string& path);
 

@@ -1,5 +1,5 @@
-// Where OpenImageIO's writers put their bytes. Most of them do not look at what becomes of a write:
-// a full disk would be a picture without its end. Those that take a place to write to get one that
+// Where OpenImageIO's writers put their bytes. Most of them ignore the result of a write: on a full
+// disk the picture would lack its end. Those that take a place to write to get one that
 // remembers the first write that failed; what the others wrote is read back and compared.
 #pragma once
 

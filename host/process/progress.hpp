@@ -9,7 +9,7 @@ namespace pxm::host {
 /// Draws on stderr while it lives and wipes its line at the end. Calls may come from any thread.
 class Progress {
   public:
-    /// `quiet` keeps it silent, as does a stderr that is no terminal.
+    /// `quiet` keeps it silent, as does a stderr that is not a terminal.
     explicit Progress(bool quiet);
     ~Progress();
     Progress(const Progress&) = delete;

@@ -1,6 +1,6 @@
 // What the program says: results on the standard output, messages on the standard error. Nothing
-// else writes to either. Results are checked to the last byte; messages are shown as far as anybody
-// takes them. Text from files and their names may hold anything: no control character gets out.
+// else writes to either. Results are checked to the last byte; messages are shown as far as they
+// can be written. Text from files and their names may hold anything: no control character gets out.
 #pragma once
 
 #include <string_view>
@@ -18,7 +18,7 @@ void put_result(std::string_view text);
 /// taken.
 void finish_results();
 
-/// A message for the user. One that nobody takes is lost without a word, as there is nobody to
+/// A message for the user. One that cannot be written is dropped silently: there is nobody to
 /// tell.
 void tell(std::string_view text) noexcept;
 

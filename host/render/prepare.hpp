@@ -29,8 +29,8 @@ struct IntersectChoice {
     std::string because;
 };
 
-/// How the first cells are found. To insist on the wide engine where it does not apply is an error
-/// of whoever insists.
+/// How the first cells are found. To demand the wide engine where it does not apply is an error
+/// of the scene or the command line, whichever demands it.
 [[nodiscard]] IntersectChoice intersect_of(const Prepared& prepared, const RenderRequest& request);
 
 }  // namespace pxm::host

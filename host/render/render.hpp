@@ -67,8 +67,8 @@ struct RenderResult {
 /// what is still to come is known.
 using TakeBand = std::function<void(const RenderResult&)>;
 
-/// Renders. A window whose frame would be large in memory is rendered in bands if there is somebody
-/// to take them; natively only. Throws Error: an output is an input (2), the scene is wrong (3), a
+/// Renders. A window whose frame would be large in memory is rendered in bands if `take` is
+/// given; natively only. Throws Error: an output is an input (2), the scene is wrong (3), a
 /// file cannot be read (4), the machine is too small (5).
 [[nodiscard]] RenderResult render(const RenderRequest& request, const RunControl& control,
                                   const TakeBand& take = nullptr);

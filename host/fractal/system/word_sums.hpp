@@ -35,7 +35,7 @@ struct WordTable {
     std::vector<std::size_t> first_word;  // per map, and one more: where its words begin
 };
 
-/// All words of that length. Their number must have been found bearable.
+/// All words of that length. Precondition: their number was found affordable.
 [[nodiscard]] WordTable word_table(const Rifs& rifs, int length);
 
 /// The largest length, at most `longest`, whose words are at most `budget`, and at least 1.
