@@ -20,7 +20,7 @@ std::vector<float> read_depths(const std::string& path, std::size_t pixels) {
     std::ifstream in(path, std::ios::binary);
     in.read(reinterpret_cast<char*>(depths.data()),
             static_cast<std::streamsize>(pixels * sizeof(float)));
-    if (!in) throw Error(ExitCode::file, fmt::format("{}: fewer than {} depths", path, pixels));
+    if (!in) throw Error(ErrorKind::file, fmt::format("{}: fewer than {} depths", path, pixels));
     return depths;
 }
 
@@ -32,7 +32,7 @@ double number(const LoadedImage& image, const char* name) {
 void compare(const std::string& picture, const std::string& dump) {
     const LoadedImage image = read_image(picture, {"Z"});
     const int z = image.channel("Z");
-    if (z < 0) throw Error(ExitCode::file, picture + ": no channel Z");
+    if (z < 0) throw Error(ErrorKind::file, picture + ": no channel Z");
     const auto pixels =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const std::vector<float> depths = read_depths(dump, pixels);

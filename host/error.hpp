@@ -1,32 +1,44 @@
-// The user's errors. Thrown anywhere in host/, caught in main only; the kind is the exit code.
+// The errors of pxm: what kind of thing is wrong, where, and what to tell the user. Thrown anywhere
+// in host/; the program ends with an exit code that is made of the kind in one place
+// (host/process/exit_code.hpp), a program that uses the library asks for kind and places.
 #pragma once
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace pxm::host {
 
-/// What a run ends with (docs/command-line.md).
-enum class ExitCode : int {
-    done = 0,
-    run_failed = 1,
-    command_line = 2,
-    scene = 3,
-    file = 4,
-    machine_limit = 5,
-    over_tolerance = 6,
-    interrupted = 130,
-    terminated = 143,
+enum class ErrorKind {
+    failed,         // of the run: nobody is to blame for it
+    setting,        // an option, or another value that the caller gave
+    scene,          // the text of a scene, or of a file to import
+    file,           // a file that cannot be read or written
+    machine_limit,  // a memory of the simulated machine is too small
 };
 
-/// A message for the user and the exit code it ends with. The text may have several lines.
+/// One thing that is wrong in a text, and where it stands.
+struct Mistake {
+    std::string file;
+    int line = 1;    // from 1
+    int column = 1;  // in bytes, from 1
+    std::string message;
+};
+
+/// what() is the whole message, of several lines if there is more to say.
 class Error : public std::runtime_error {
   public:
-    Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
-    [[nodiscard]] ExitCode code() const noexcept { return code_; }
+    Error(ErrorKind kind, const std::string& message, std::vector<Mistake> mistakes = {})
+        : std::runtime_error(message), kind_(kind), mistakes_(std::move(mistakes)) {}
+
+    [[nodiscard]] ErrorKind kind() const noexcept { return kind_; }
+    /// Of a scene: everything that was found wrong, in the order of the text. Else empty.
+    [[nodiscard]] const std::vector<Mistake>& mistakes() const noexcept { return mistakes_; }
 
   private:
-    ExitCode code_;
+    ErrorKind kind_;
+    std::vector<Mistake> mistakes_;
 };
 
 }  // namespace pxm::host

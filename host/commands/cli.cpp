@@ -23,8 +23,7 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
         if (command->get_name() == word) return;
         known += " " + command->get_name();
     }
-    throw Error(ExitCode::command_line,
-                "unknown command \"" + word + "\", expected one of" + known);
+    throw Error(ErrorKind::setting, "unknown command \"" + word + "\", expected one of" + known);
 }
 
 }  // namespace
@@ -56,7 +55,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
         put_result(text.str());
         return code;
     } catch (const CLI::ParseError& error) {
-        throw Error(ExitCode::command_line,
+        throw Error(ErrorKind::setting,
                     std::string(error.what()) + "\ntry: pxm --help, or pxm COMMAND --help");
     }
     for (const AddedCommand& command : commands) {

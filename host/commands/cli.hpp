@@ -1,7 +1,7 @@
 // The command line: from arguments to one command's work and an exit code.
 #pragma once
 
-#include "host/error.hpp"
+#include "host/process/exit_code.hpp"
 
 namespace pxm::host {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "host/error.hpp"
+#include "host/process/exit_code.hpp"
 
 namespace CLI {
 class App;

@@ -30,9 +30,9 @@ ExitCode check_one(const std::string& scene, const Settings& settings,
     try {
         found = findings_of(scene, settings, arguments.allowed);
     } catch (const Error& error) {
-        if (error.code() != ExitCode::file) throw;
+        if (error.kind() != ErrorKind::file) throw;
         tell(std::string(error.what()) + "\n");
-        return error.code();
+        return exit_code_of(error.kind());
     }
     if (!found.text.empty()) tell(found.text + "\n");
     return found.errors || (arguments.werror && found.warnings) ? ExitCode::scene : ExitCode::done;
@@ -48,7 +48,7 @@ void print_formatted(const std::string& scene, const std::vector<std::string>& a
 
 ExitCode check(const CheckArguments& arguments) {
     if (arguments.format && arguments.scenes.size() > 1)
-        throw Error(ExitCode::command_line, "--format: it prints one scene, give it no more");
+        throw Error(ErrorKind::setting, "--format: it prints one scene, give it no more");
     const Settings settings = parse_settings(arguments.set);
     ExitCode worst = ExitCode::done;
     for (const std::string& scene : arguments.scenes) {

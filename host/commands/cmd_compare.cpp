@@ -33,7 +33,7 @@ ExitCode compare(const CompareArguments& arguments) {
     ImageReader b(arguments.b, any_image);
     ImageComparison comparison(a.header(), b.header());
     for (int y = 0; y < a.header().height; ++y) {
-        if (stop_requested()) return signal_exit_code();
+        if (stop_requested()) return exit_code_of_signal(received_signal());
         const float* row = a.next_row();
         comparison.add_row(row, b.next_row());
     }

@@ -31,7 +31,7 @@ struct ImportArguments {
 void require_scene_place(const ImportArguments& arguments, const std::string& out) {
     require_spared({out}, {{arguments.request.path, "what is imported"}});
     if (arguments.out.empty() && !arguments.force && std::filesystem::exists(out)) {
-        throw Error(ExitCode::command_line,
+        throw Error(ErrorKind::setting,
                     fmt::format("{} is there already: --force replaces it, -o writes elsewhere",
                                 printable_path(out)));
     }
@@ -45,7 +45,7 @@ ExitCode import(const ImportArguments& arguments) {
     const bool to_stdout = arguments.out == "-";
     if (!to_stdout && !arguments.out.empty()) require_scene_place(arguments, arguments.out);
     const Imported imported = import_file(request);
-    if (stop_requested()) return signal_exit_code();
+    if (stop_requested()) return exit_code_of_signal(received_signal());
     tell(imported.messages);
     if (to_stdout) {
         put_result(imported.text);

@@ -103,7 +103,7 @@ ExitCode send_token(const Model& model) {
         [&](int node, Ports& ports) { return nodes[static_cast<std::size_t>(node)].step(ports); },
         granted_threads().threads, 4 * model.nodes());
     const auto home = nodes.front().home();
-    if (!steps || !home) throw Error(ExitCode::run_failed, "the token did not come home");
+    if (!steps || !home) throw Error(ErrorKind::failed, "the token did not come home");
     put_result(fmt::format(
         "{}: the token visited {} of {} nodes over {} links and was home after {} supersteps\n",
         model.name, home->visited, model.nodes(), home->hops, *steps));

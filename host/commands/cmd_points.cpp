@@ -133,7 +133,7 @@ ExitCode run_points(const PointsArguments& arguments) {
             file.finish();
         });
     } catch (const Stopped&) {
-        return signal_exit_code();
+        return exit_code_of_signal(received_signal());
     }
     return ExitCode::done;
 }

@@ -142,7 +142,7 @@ ExitCode render_picture(const RenderArguments& arguments) {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
     if (!arguments.cost_model.empty() && arguments.machine.empty()) {
-        throw Error(ExitCode::command_line,
+        throw Error(ErrorKind::setting,
                     "--cost-model: cycles are counted on the machine only (--machine MODEL)");
     }
     RenderRequest request = request_of(arguments);
@@ -150,7 +150,7 @@ ExitCode render_picture(const RenderArguments& arguments) {
     const auto aovs = arguments.aov.empty() ? std::vector<Aov>{} : parse_aovs(arguments.aov);
     require_image_format(out, aovs);
     if (!request.machine && std::ranges::find(aovs, Aov::cycles) != aovs.end()) {
-        throw Error(ExitCode::command_line,
+        throw Error(ErrorKind::setting,
                     "--aov cycles: cycles are counted on the machine only "
                     "(--machine MODEL)");
     }
@@ -177,7 +177,7 @@ ExitCode render_picture(const RenderArguments& arguments) {
         if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
         result = render(request, control, take);
     }
-    if (result.stopped) return signal_exit_code();
+    if (result.stopped) return exit_code_of_signal(received_signal());
     tell(result.warnings);
     const double before_end = seconds();
     writer->finish();

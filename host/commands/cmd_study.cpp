@@ -8,6 +8,7 @@
 #include "host/commands/option_checks.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/process/granted_threads.hpp"
+#include "host/process/interrupt.hpp"
 #include "host/render/render_options.hpp"
 #include "host/study/study.hpp"
 
@@ -32,7 +33,7 @@ ExitCode study(const StudyArguments& a) {
     const auto kind = kinds.find(a.kind);
     if (kind == kinds.end()) {
         throw Error(
-            ExitCode::command_line,
+            ErrorKind::setting,
             "study: found \"" + a.kind + "\", expected one of balance, error, stability, shading");
     }
     request.kind = kind->second;
@@ -42,8 +43,8 @@ ExitCode study(const StudyArguments& a) {
     request.threads = choose_threads(a.threads).threads;
     request.settings = parse_settings(a.set);
     if (!request.settings.empty() && request.scenes.empty())
-        throw Error(ExitCode::command_line, "--set: there is no scene to set anything of");
-    return run_study(request);
+        throw Error(ErrorKind::setting, "--set: there is no scene to set anything of");
+    return run_study(request) ? ExitCode::done : exit_code_of_signal(received_signal());
 }
 
 }  // namespace

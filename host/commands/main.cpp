@@ -26,7 +26,7 @@ int run(int argc, const char* const* argv) {
         pxm::host::finish_results();
         return static_cast<int>(code);
     } catch (const pxm::host::Error& error) {
-        return fail(error.code(), error.what());
+        return fail(pxm::host::exit_code_of(error.kind()), error.what());
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::run_failed, "out of memory");
     } catch (const std::exception& error) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host/fractal/system/components.hpp"
+#include "host/text/digest.hpp"
 
 namespace pxm::host {
 
@@ -89,11 +90,9 @@ class FollowSets {
 
   private:
     static std::uint64_t hash(const std::vector<int>& maps) {
-        std::uint64_t value = 0xcbf29ce484222325;  // FNV-1a
-        for (const int map : maps) {
-            value = (value ^ static_cast<std::uint64_t>(map)) * 0x100000001b3;
-        }
-        return value;
+        Digest digest;
+        for (const int map : maps) digest.add(static_cast<std::uint64_t>(map));
+        return digest.value();
     }
 
     std::vector<FollowSet>& sets_;

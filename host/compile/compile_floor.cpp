@@ -154,7 +154,7 @@ class FloorCompiler {
             const auto number = static_cast<std::size_t>(at.file);
             const std::string scene =
                 number < scene_.files.size() ? scene_.files[number].name : std::string();
-            throw Error(error.code(), fmt::format("{}:{}:{}: {}: {}", scene, at.line, at.column,
+            throw Error(error.kind(), fmt::format("{}:{}:{}: {}: {}", scene, at.line, at.column,
                                                   block_name("texture", block.name), error.what()));
         }
     }
@@ -163,11 +163,11 @@ class FloorCompiler {
     void count_picture(const ImageHeader& header) {
         texels_ += long{header.width} * header.height;
         if (++pictures_ > pictures_a_scene)
-            throw Error(ExitCode::scene,
+            throw Error(ErrorKind::scene,
                         fmt::format("a scene has at most {} pictures", pictures_a_scene));
         if (texels_ > texels_a_scene)
             throw Error(
-                ExitCode::scene,
+                ErrorKind::scene,
                 fmt::format("the scene's pictures have more than {} pixels", texels_a_scene));
     }
 

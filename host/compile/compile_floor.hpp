@@ -15,7 +15,7 @@ namespace pxm::host {
 
 /// Fills in planes, textures and texture memory of `out`, whose unit is known. Only textures that
 /// a plane uses are looked at. An ifs that is not flat is an error in `diagnostics`; a file that
-/// cannot be used throws Error(ExitCode::file).
+/// cannot be used throws Error(ErrorKind::file).
 void compile_floor(const Scene& scene, const View& view,
                    const std::map<std::string, Fractal>& fractals, CompiledScene& out,
                    Diagnostics& diagnostics);

@@ -19,7 +19,7 @@ namespace {
 void refuse(const std::optional<Fault>& fault, const Model& model) {
     if (!fault) return;
     throw Error(
-        ExitCode::machine_limit,
+        ErrorKind::machine_limit,
         fmt::format("the {} of node {} of the {} is too small: {} bytes wanted, {} there",
                     fault->bank, fault->node, model.name, fault->wanted_bytes, fault->limit_bytes));
 }

@@ -45,10 +45,11 @@ int start_at_once(int count) {
 
 // OpenMP keeps its threads for the next loop: only further ones are tried, and at once made its
 // own, before anybody else takes them. Where not all start, half of them leave the other half's
-// room to what the render needs. Not thread-safe: renders begin on one thread.
+// room to what the render needs.
+// Each thread that renders has an OpenMP team of its own, so what is known is known of one thread.
 int threads_that_start(int wanted) {
-    static int known = 1;
-    static bool is_limit = false;
+    thread_local int known = 1;
+    thread_local bool is_limit = false;
     if (is_limit || wanted <= known) return std::clamp(wanted, 1, known);
     const int started = start_at_once(wanted - known);
     is_limit = started < wanted - known;

@@ -46,12 +46,12 @@ AllowedFolders::AllowedFolders(const std::string& scene_path,
                                const std::vector<std::string>& allowed) {
     std::error_code failed;
     const fs::path own = fs::weakly_canonical(fs::absolute(scene_path).parent_path(), failed);
-    if (failed) throw Error(ExitCode::file, fmt::format("{}: cannot be opened", scene_path));
+    if (failed) throw Error(ErrorKind::file, fmt::format("{}: cannot be opened", scene_path));
     folders_.push_back(start_of(own));
     for (const std::string& folder : allowed) {
         const fs::path place = fs::canonical(folder, failed);
         if (failed || !fs::is_directory(place, failed))
-            throw Error(ExitCode::command_line,
+            throw Error(ErrorKind::setting,
                         fmt::format("--allow: found \"{}\", expected a folder",
                                     printable(folder, longest_folder)));
         folders_.push_back(start_of(place));
@@ -62,11 +62,11 @@ std::string AllowedFolders::resolved(const std::string& path) const {
     if (folders_.empty()) return path;
     std::error_code failed;
     const fs::path place = fs::weakly_canonical(fs::absolute(path), failed);
-    if (failed) throw Error(ExitCode::file, fmt::format("{}: cannot be opened", path));
+    if (failed) throw Error(ErrorKind::file, fmt::format("{}: cannot be opened", path));
     const bool inside = std::ranges::any_of(
         folders_, [&](const std::string& start) { return place.string().starts_with(start); });
     if (inside) return place.string();
-    throw Error(ExitCode::file,
+    throw Error(ErrorKind::file,
                 fmt::format("{}: lies outside the scene's folder; if you trust the scene, add "
                             "--allow {}",
                             path, shell_word(place.parent_path())));

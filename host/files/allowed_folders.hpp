@@ -12,11 +12,11 @@ class AllowedFolders {
   public:
     /// Everywhere: for text that is in memory and has no folder.
     AllowedFolders() = default;
-    /// The folder that holds `scene_path`, and `allowed`. Throws Error(ExitCode::command_line) if
+    /// The folder that holds `scene_path`, and `allowed`. Throws Error(ErrorKind::setting) if
     /// one of `allowed` is not a folder.
     AllowedFolders(const std::string& scene_path, const std::vector<std::string>& allowed);
 
-    /// The file's path with its links followed. Throws Error(ExitCode::file) if that is outside;
+    /// The file's path with its links followed. Throws Error(ErrorKind::file) if that is outside;
     /// the message says how to allow it, and not whether there is such a file.
     [[nodiscard]] std::string resolved(const std::string& path) const;
 

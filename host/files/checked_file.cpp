@@ -106,7 +106,7 @@ void CheckedFile::append(const void* data, std::size_t bytes) {
 
 void CheckedFile::require() const {
     if (error_ == 0) return;
-    throw Error(ExitCode::file,
+    throw Error(ErrorKind::file,
                 fmt::format("cannot write {}: {}", printable_path(name_), strerror(error_)));
 }
 

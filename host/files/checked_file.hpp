@@ -29,12 +29,12 @@ class CheckedFile {
     std::size_t read_at(std::int64_t place, void* data, std::size_t bytes) noexcept;
     /// In bytes, with what is still collected; 0 if it cannot be told.
     [[nodiscard]] std::int64_t size() noexcept;
-    /// Writes at the end of what append() wrote before. Throws Error(ExitCode::file).
+    /// Writes at the end of what append() wrote before. Throws Error(ErrorKind::file).
     void append(const void* data, std::size_t bytes);
 
-    /// Throws Error(ExitCode::file) if any write has failed so far.
+    /// Throws Error(ErrorKind::file) if any write has failed so far.
     void require() const;
-    /// Writes what is collected. Throws Error(ExitCode::file) unless all that was written is on the
+    /// Writes what is collected. Throws Error(ErrorKind::file) unless all that was written is on the
     /// disk, as far as the system can say so.
     void sync();
 

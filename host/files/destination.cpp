@@ -99,7 +99,7 @@ std::optional<int> own_descriptor(const Destination& destination) {
 std::string Destination::folder() const { return folder_of(path); }
 
 void cannot_write(const std::string& path, const std::string& why) {
-    throw Error(ExitCode::file, fmt::format("cannot write {}: {}", printable_path(path), why));
+    throw Error(ErrorKind::file, fmt::format("cannot write {}: {}", printable_path(path), why));
 }
 
 Destination find_destination(const std::string& path) {

@@ -19,11 +19,11 @@ struct Destination {
     [[nodiscard]] std::string folder() const;
 };
 
-/// Throws Error(ExitCode::file) with the reason unless something can be written there.
+/// Throws Error(ErrorKind::file) with the reason unless something can be written there.
 [[nodiscard]] Destination find_destination(const std::string& path);
 
 /// Opens what is not a file for writing; waits for a reader where a pipe wants one. Throws
-/// Error(ExitCode::file).
+/// Error(ErrorKind::file).
 [[nodiscard]] int open_destination(const Destination& destination);
 
 [[noreturn]] void cannot_write(const std::string& path, const std::string& why);

@@ -105,7 +105,7 @@ class HeaderReader {
     }
 
     [[noreturn]] void refuse() const {
-        throw Error(ExitCode::file,
+        throw Error(ErrorKind::file,
                     fmt::format("{}: its OpenEXR header is broken or cut off", file_.path()));
     }
 

@@ -18,7 +18,7 @@ struct ExrSizes {
     std::int64_t tile_height = 0;
 };
 
-/// The largest of each over a file's parts. Throws Error(ExitCode::file) with "PATH: why" if the
+/// The largest of each over a file's parts. Throws Error(ErrorKind::file) with "PATH: why" if the
 /// header is not one.
 [[nodiscard]] ExrSizes largest_exr_sizes(const RegularFile& file);
 

@@ -162,7 +162,7 @@ struct ImageReader::File {
     void open(const ImageLimits& wanted);
     void read_band();
     [[noreturn]] void refuse(const std::string& why) const {
-        throw Error(ExitCode::file, fmt::format("cannot read {}: {}", path, why));
+        throw Error(ErrorKind::file, fmt::format("cannot read {}: {}", path, why));
     }
 };
 
@@ -214,7 +214,7 @@ ImageReader::ImageReader(const std::string& place, const std::string& path,
     } catch (const Refusal& refusal) {
         file_->refuse(refusal.why);
     } catch (const Error& error) {  // of the file itself, which tells its name
-        throw Error(error.code(), fmt::format("cannot read {}", error.what()));
+        throw Error(error.kind(), fmt::format("cannot read {}", error.what()));
     }
 }
 
@@ -242,7 +242,7 @@ LoadedImage read_image(const std::string& path, const std::vector<std::string>& 
     const auto width = static_cast<std::size_t>(image.width);
     image.channels.clear();
     if (long{image.width} * image.height > 4 * kept_image.pixels / static_cast<long>(kept.size()))
-        throw Error(ExitCode::file, fmt::format("cannot read {}: {} x {} pixels of {} channels are "
+        throw Error(ErrorKind::file, fmt::format("cannot read {}: {} x {} pixels of {} channels are "
                                                 "more than pxm keeps",
                                                 path, image.width, image.height, kept.size()));
     for (const std::size_t c : kept) image.channels.push_back(reader.header().channels[c]);

@@ -44,7 +44,7 @@ inline constexpr long unpacked_pixels = 8192L * 8192;
 
 /// A picture that is read a row at a time, from the top, in memory that does not grow with its
 /// height. The first picture of a file that has several, and its largest size. All may throw
-/// Error(ExitCode::file): "cannot read PATH: why".
+/// Error(ErrorKind::file): "cannot read PATH: why".
 class ImageReader {
   public:
     ImageReader(const std::string& path, const ImageLimits& limits)
@@ -75,7 +75,7 @@ struct LoadedImage : ImageHeader {
 };
 
 /// Reads a whole picture, or its first channel and those named in `wanted`. Throws
-/// Error(ExitCode::file), also beyond `kept_image`.
+/// Error(ErrorKind::file), also beyond `kept_image`.
 [[nodiscard]] LoadedImage read_image(const std::string& path,
                                      const std::vector<std::string>& wanted = {});
 
@@ -88,7 +88,7 @@ struct LinearPicture {
 
 /// The whole picture that `reader` has opened: integers are decoded from sRGB unless the file says
 /// that they are linear, grey becomes three equal channels, further channels are left out. Throws
-/// Error(ExitCode::file).
+/// Error(ErrorKind::file).
 [[nodiscard]] LinearPicture read_linear_picture(ImageReader& reader);
 
 /// Linear of a value of the sRGB curve, 0..1.

@@ -44,7 +44,7 @@ std::string RegularFile::read(std::uint64_t offset, std::size_t count) const {
 }
 
 void RegularFile::refuse(const std::string& why) const {
-    throw Error(ExitCode::file, fmt::format("{}: {}", path_, why));
+    throw Error(ErrorKind::file, fmt::format("{}: {}", path_, why));
 }
 
 std::string read_file(const std::string& path) { return read_file(path, path); }
@@ -52,7 +52,7 @@ std::string read_file(const std::string& path) { return read_file(path, path); }
 std::string read_file(const std::string& place, const std::string& path) {
     const RegularFile file(place, path);
     if (file.bytes() > text_bytes)
-        throw Error(ExitCode::file, fmt::format("{}: larger than {} MB", path, text_bytes >> 20U));
+        throw Error(ErrorKind::file, fmt::format("{}: larger than {} MB", path, text_bytes >> 20U));
     return file.read(0, static_cast<std::size_t>(file.bytes()));
 }
 

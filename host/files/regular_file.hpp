@@ -11,7 +11,7 @@ namespace pxm::host {
 /// Never waits: a pipe, a device or a folder is refused before anything is read.
 class RegularFile {
   public:
-    /// Throws Error(ExitCode::file) with "PATH: why".
+    /// Throws Error(ErrorKind::file) with "PATH: why".
     explicit RegularFile(const std::string& path) : RegularFile(path, path) {}
     /// The file at `place`, which messages call `path`.
     RegularFile(const std::string& place, const std::string& path);
@@ -37,7 +37,7 @@ class RegularFile {
 inline constexpr std::size_t text_bytes = std::size_t{64} << 20U;  // of a file that is text
 
 /// A file's whole text. What is not a regular file, or larger than text_bytes, is an
-/// Error(ExitCode::file).
+/// Error(ErrorKind::file).
 [[nodiscard]] std::string read_file(const std::string& path);
 /// The same of a file at `place`, which messages call `path`.
 [[nodiscard]] std::string read_file(const std::string& place, const std::string& path);

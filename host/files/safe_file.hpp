@@ -16,7 +16,7 @@ namespace pxm::host {
 /// A file that is being written beside its place: put there by commit(), or else removed.
 class PartFile {
   public:
-    /// Throws Error(ExitCode::file) unless a file can be written at `path`. One that is written in
+    /// Throws Error(ErrorKind::file) unless a file can be written at `path`. One that is written in
     /// order goes to a pipe or a device at once, any other is copied there when it is whole.
     PartFile(const std::string& path, Places places);
     PartFile(const PartFile&) = delete;
@@ -28,7 +28,7 @@ class PartFile {
     /// The path of it, with the extension of the one that was named: for libraries that open it
     /// themselves. Precondition: places are `any`.
     [[nodiscard]] const std::string& beside() const { return beside_; }
-    /// Puts the file into place. Throws Error(ExitCode::file) if it cannot be put there, or if
+    /// Puts the file into place. Throws Error(ErrorKind::file) if it cannot be put there, or if
     /// anything of it could not be written.
     void commit();
 
@@ -44,14 +44,14 @@ class PartFile {
 };
 
 /// Calls `write` with a file that is put to `path` afterwards. If `write` throws, nothing is left
-/// behind and `path` is as before. Throws Error(ExitCode::file) if the file cannot be written or
+/// behind and `path` is as before. Throws Error(ErrorKind::file) if the file cannot be written or
 /// put into place.
 void write_safely(const std::string& path, const std::function<void(CheckedFile&)>& write);
 
 /// Writes a text file safely.
 void write_text_safely(const std::string& path, const std::string& text);
 
-/// Throws Error(ExitCode::file) unless a file could be written at `path`: to be called before work
+/// Throws Error(ErrorKind::file) unless a file could be written at `path`: to be called before work
 /// whose result would otherwise be lost.
 void require_writable(const std::string& path);
 

@@ -40,10 +40,10 @@ template <class Entry>
 Entry& choose_entry(std::vector<Entry>& list, const std::string& file,
                     const std::optional<std::string>& wanted) {
     if (list.empty())
-        throw Error(ExitCode::scene, fmt::format("{}: no entries", printable(file, longest_name)));
+        throw Error(ErrorKind::scene, fmt::format("{}: no entries", printable(file, longest_name)));
     if (!wanted) {
         if (list.size() == 1) return list.front();
-        throw Error(ExitCode::command_line,
+        throw Error(ErrorKind::setting,
                     fmt::format("{} has {} entries; choose one with --entry NAME:{}",
                                 printable(file, longest_name), list.size(), entry_names(list)));
     }
@@ -51,7 +51,7 @@ Entry& choose_entry(std::vector<Entry>& list, const std::string& file,
         if (e.entry.name == *wanted) return e;
     for (Entry& e : list)
         if (same_word(e.entry.name, *wanted)) return e;
-    throw Error(ExitCode::command_line,
+    throw Error(ErrorKind::setting,
                 fmt::format("{} has no entry \"{}\"; it has:{}", printable(file, longest_name),
                             printable(*wanted), entry_names(list)));
 }
@@ -71,7 +71,7 @@ void require_valid(const Imported& imported) {
     if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
     if (!diagnostics.has_errors()) (void)compile(scene, 1, diagnostics);
     if (!diagnostics.has_errors()) return;
-    throw Error(ExitCode::scene,
+    throw Error(ErrorKind::scene,
                 fmt::format("\"{}\" has no scene that pxm takes:\n{}", printable(imported.name),
                             diagnostics.text(scene.files)));
 }
@@ -148,7 +148,7 @@ Imported import_picture(const ImportRequest& request, const Picture& picture) {
     MomentRequest search{request.maps, request.seed, request.seconds, picture.finest, request.stop};
     const MomentResult result = search_moments(picture.points, search);
     if (result.maps.empty())
-        throw Error(ExitCode::scene, request.path + ": no maps were found that contract");
+        throw Error(ErrorKind::scene, request.path + ": no maps were found that contract");
     const std::string found = fmt::format(
         "{} maps by the method of moments (Sec. 10.1): moments up to degree {}, {} restarts, seed "
         "{}{}\n"
@@ -171,12 +171,12 @@ Imported import_picture(const ImportRequest& request, const Picture& picture) {
 void require_picture(const std::string& path, const std::string& extension) {
     const std::string name = printable(path, longest_name);
     if (same_word(extension, ".pxm"))
-        throw Error(ExitCode::scene,
+        throw Error(ErrorKind::scene,
                     fmt::format("{} is a scene already: pxm render {}", name, name));
     const RegularFile file(path);
     if (!found_format(file.read(0, image_head_bytes)).name.empty()) return;
     throw Error(
-        ExitCode::scene,
+        ErrorKind::scene,
         fmt::format("{} is no format that pxm imports: FRACTINT's .ifs and .l, points (.xy, "
                     ".txt), or a picture (PNG, JPEG, OpenEXR, TIFF, PNM)",
                     name));
@@ -194,7 +194,7 @@ Imported import_file(const ImportRequest& request) {
     const std::string extension = std::filesystem::path(path).extension().string();
     const bool fractint = same_word(extension, ".ifs") || same_word(extension, ".l");
     if (!fractint && request.entry)
-        throw Error(ExitCode::command_line, "--entry: only FRACTINT's .ifs and .l have entries");
+        throw Error(ErrorKind::setting, "--entry: only FRACTINT's .ifs and .l have entries");
     if (same_word(extension, ".ifs"))
         return import_fractint({path, read_file(path)}, FractintFormat::ifs, request.entry);
     if (same_word(extension, ".l"))

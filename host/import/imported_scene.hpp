@@ -14,7 +14,7 @@ enum class Space { plane, solid };  // maps of the plane z = 0, or of space
 [[nodiscard]] std::string scene_name(std::string_view text);
 
 /// The scene of one IFS. Maps of the plane are seen from the front, y up, in an orthographic view
-/// that just holds them. Throws Error(ExitCode::scene), with the reason at the block's place in
+/// that just holds them. Throws Error(ErrorKind::scene), with the reason at the block's place in
 /// `source`, if the maps could not be shown to contract.
 [[nodiscard]] Scene imported_scene(IfsBlock maps, const std::string& name, Space space,
                                    const SourceFile& source);

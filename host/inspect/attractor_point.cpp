@@ -20,7 +20,7 @@ namespace {
 constexpr int decimals = 60;
 
 [[noreturn]] void refuse(const std::string& why) {
-    throw Error(ExitCode::command_line, fmt::format("--point: {}", why));
+    throw Error(ErrorKind::setting, fmt::format("--point: {}", why));
 }
 
 /// The index of a map that is called by its name or by its number from 1.

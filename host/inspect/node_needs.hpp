@@ -8,7 +8,7 @@
 #include "host/node_program/link.hpp"
 #include "host/scene/diagnostics.hpp"
 #include "host/scene/scene.hpp"
-#include "host/wide/tables/wide_scene.hpp"
+#include "host/wide/tables/eligible.hpp"
 
 namespace pxm::host {
 

@@ -198,7 +198,7 @@ void require_fit(const NodeProgram& program, const std::string& model) {
     for (std::size_t i = 0; i < named_parts; ++i) {
         text += fmt::format("{}{} {} bytes", i == 0 ? "" : ", ", parts[i].second, parts[i].first);
     }
-    throw Error(ExitCode::machine_limit, text);
+    throw Error(ErrorKind::machine_limit, text);
 }
 
 }  // namespace pxm::host

@@ -34,7 +34,7 @@ struct NodeProgram {
 /// The program for a scene.
 [[nodiscard]] NodeProgram link(const CompiledScene& scene);
 
-/// Throws Error(ExitCode::machine_limit) with the largest parts if the program does not fit into
+/// Throws Error(ErrorKind::machine_limit) with the largest parts if the program does not fit into
 /// the fast memory of a node of that model.
 void require_fit(const NodeProgram& program, const std::string& model);
 

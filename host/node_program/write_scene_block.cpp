@@ -9,6 +9,7 @@
 #include "host/math/lipschitz.hpp"
 #include "host/node_program/block_writer.hpp"
 #include "host/node_program/write_floor_block.hpp"
+#include "host/text/digest.hpp"
 #include "pxm/real.hpp"
 
 namespace pxm::host {
@@ -327,13 +328,11 @@ std::uint32_t plane_index(const std::vector<std::uint32_t>& block, std::uint32_t
 }
 
 std::uint64_t block_hash(const std::vector<std::uint32_t>& block) {
-    std::uint64_t hash = 0xCBF2'9CE4'8422'2325;
+    Digest digest;
     for (const std::uint32_t word : block) {
-        for (int shift = 0; shift < 32; shift += 8) {
-            hash = (hash ^ (word >> shift & 0xFF)) * 0x100'0000'01B3;
-        }
+        for (int shift = 0; shift < 32; shift += 8) digest.add(word >> shift & 0xFF);
     }
-    return hash;
+    return digest.value();
 }
 
 template double smallest_pixel_share<dsp32::Float>();

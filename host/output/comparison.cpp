@@ -45,11 +45,11 @@ ImageComparison::ImageComparison(const ImageHeader& a, const ImageHeader& b)
       pixel_at_eye_(number(a, "pixel_at_eye")),
       pixel_growth_(number(a, "pixel_growth")) {
     if (a.width != b.width || a.height != b.height) {
-        throw Error(ExitCode::file, fmt::format("the images differ in size: {}x{} and {}x{}",
-                                                a.width, a.height, b.width, b.height));
+        throw Error(ErrorKind::file, fmt::format("the images differ in size: {}x{} and {}x{}",
+                                                 a.width, a.height, b.width, b.height));
     }
     for (const ChannelPair& channel : rgb_) {
-        if (!channel.present()) throw Error(ExitCode::file, "an image has no R, G, B channels");
+        if (!channel.present()) throw Error(ErrorKind::file, "an image has no R, G, B channels");
     }
 }
 

@@ -23,7 +23,7 @@ struct Comparison {
 /// Compares pictures row by row, so that none need be kept.
 class ImageComparison {
   public:
-    /// Throws Error(ExitCode::file) when the sizes or colour channels do not match.
+    /// Throws Error(ErrorKind::file) when the sizes or colour channels do not match.
     ImageComparison(const ImageHeader& a, const ImageHeader& b);
 
     /// The next row of each, interleaved.

@@ -24,7 +24,7 @@ class Reader {
     explicit Reader(const std::string& path) : path_(path) {}
 
     [[noreturn]] void refuse(const std::string& what) const {
-        throw Error(ExitCode::command_line, fmt::format("--cost-model {}: {}", path_, what));
+        throw Error(ErrorKind::setting, fmt::format("--cost-model {}: {}", path_, what));
     }
 
     [[nodiscard]] const Json& object(const Json& json, const std::string& place) const {
@@ -78,7 +78,7 @@ OperationCost read_cost(const Reader& reader, const Json& operations, std::strin
 
 std::string read_file(const std::string& path) {
     const auto refuse = [&](const char* why) {
-        throw Error(ExitCode::file, fmt::format("cannot read {}: {}", path, why));
+        throw Error(ErrorKind::file, fmt::format("cannot read {}: {}", path, why));
     };
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) refuse("it is a directory");

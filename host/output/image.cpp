@@ -173,12 +173,11 @@ float srgb_from_linear(float linear) {
 void require_image_format(const std::string& path, const std::vector<Aov>& aovs) {
     const std::string extension = extension_of(path);
     if (extension.empty() || !is_picture_format(path)) {
-        throw Error(ExitCode::command_line, "cannot write " + path +
-                                                ": unknown image extension \"" + extension +
-                                                "\" (png, exr, tif, jpg, ...)");
+        throw Error(ErrorKind::setting, "cannot write " + path + ": unknown image extension \"" +
+                                            extension + "\" (png, exr, tif, jpg, ...)");
     }
     if (!aovs.empty() && !is_exr(path)) {
-        throw Error(ExitCode::command_line, "--aov needs an .exr output, not " + path);
+        throw Error(ErrorKind::setting, "--aov needs an .exr output, not " + path);
     }
 }
 
@@ -198,7 +197,7 @@ struct ImageWriter::File {
     PartFile part;
     ImageSink sink;
     std::unique_ptr<OIIO::ImageOutput> output;
-    std::optional<RowDigest> digest;  // of a writer that opens the file itself
+    std::optional<Digest> digest;  // of a writer that opens the file itself
     int next_row = 0;
 
     /// The system's reason first: the library knows none, or nothing of it.
@@ -236,7 +235,7 @@ void ImageWriter::append(const Frame& rows) {
             floats_of(rows, channel_names(file_->path, file_->aovs), file_->aovs).data());
     } else {
         const std::vector<unsigned char> bytes = bytes_of(rows);
-        if (file_->digest) file_->digest->add(bytes.data(), bytes.size());
+        if (file_->digest) file_->digest->add_all(std::span<const unsigned char>(bytes));
         put(OIIO::TypeDesc::UINT8, bytes.data());
     }
 }

@@ -11,14 +11,14 @@
 
 namespace pxm::host {
 
-/// Throws Error(ExitCode::command_line) unless OpenImageIO can write this kind of file and it can
+/// Throws Error(ErrorKind::setting) unless OpenImageIO can write this kind of file and it can
 /// hold the channels asked for (only EXR has room for any).
 void require_image_format(const std::string& path, const std::vector<Aov>& aovs);
 
 /// A picture that is written as its rows come, whole or not at all. EXR and HDR hold linear floats;
 /// other formats hold 8 bits with the sRGB curve. An EXR has R, G, B and A, which is 1 as the
 /// colour has the background in it, and the channels asked for. All may throw
-/// Error(ExitCode::file).
+/// Error(ErrorKind::file).
 class ImageWriter {
   public:
     ImageWriter(const std::string& path, const PixelSize& size, const std::vector<Aov>& aovs,

@@ -30,27 +30,21 @@ std::size_t ImageSink::pwrite(const void* data, std::size_t bytes, std::int64_t 
 
 std::size_t ImageSink::size() const { return static_cast<std::size_t>(file_.size()); }
 
-void RowDigest::add(const unsigned char* bytes, std::size_t count) {
-    constexpr std::uint64_t prime = 0x100'0000'01b3;
-    for (std::size_t i = 0; i < count; ++i) value_ = (value_ ^ bytes[i]) * prime;
-}
-
-std::string why_not_as_written(const std::string& path, int width, int height,
-                               const RowDigest& rows) {
+std::string why_not_as_written(const std::string& path, int width, int height, const Digest& rows) {
     const std::string damaged = "what was written cannot be read back: the disk may be full";
     const auto input = OIIO::ImageInput::open(path);
     if (!input) return (void)OIIO::geterror(), damaged;
     const OIIO::ImageSpec& spec = input->spec();
     if (spec.width != width || spec.height != height || spec.nchannels < 3) return damaged;
     std::vector<unsigned char> row(3 * static_cast<std::size_t>(width));
-    RowDigest found;
+    Digest found;
     for (int y = 0; y < height; ++y) {
         const int line = spec.y + y;
         if (!input->read_scanlines(0, 0, line, line + 1, 0, 0, 3, OIIO::TypeDesc::UINT8,
                                    row.data())) {
             return damaged;
         }
-        found.add(row.data(), row.size());
+        found.add_all(std::span<const unsigned char>(row));
     }
     // HEIF keeps pictures only nearly: there it is enough that all of it can be decoded.
     const bool exact = std::string_view(input->format_name()) != "heif";

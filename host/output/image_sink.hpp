@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host/files/checked_file.hpp"
+#include "host/text/digest.hpp"
 
 namespace pxm::host {
 
@@ -30,18 +31,9 @@ class ImageSink : public OIIO::Filesystem::IOProxy {
     CheckedFile& file_;
 };
 
-/// The rows of a picture of three channels of 8 bits, while they are written.
-class RowDigest {
-  public:
-    void add(const unsigned char* bytes, std::size_t count);
-    [[nodiscard]] std::uint64_t value() const { return value_; }
-
-  private:
-    std::uint64_t value_ = 0xcbf2'9ce4'8422'2325;  // FNV-1a
-};
-
-/// Why the picture in that file is not the one that was written; empty if it is.
+/// Why the picture in that file, of three channels of 8 bits, is not the one whose bytes were
+/// written row by row; empty if it is.
 [[nodiscard]] std::string why_not_as_written(const std::string& path, int width, int height,
-                                             const RowDigest& rows);
+                                             const Digest& rows);
 
 }  // namespace pxm::host

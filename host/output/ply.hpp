@@ -16,7 +16,7 @@ namespace pxm::host {
 class PlyWriter {
   public:
     /// `file` must outlive it; of the comment one line is taken, as it can be shown. Throws
-    /// Error(ExitCode::file), as do the other functions.
+    /// Error(ErrorKind::file), as do the other functions.
     PlyWriter(CheckedFile& file, std::uint64_t count, const std::string& comment,
               CoordinateNumber number);
 

@@ -50,9 +50,8 @@ void require_spared(const std::vector<std::string>& outputs, const std::vector<I
                 output == input.path || input.what == "the scene" || input.what == "the picture"
                     ? ""
                     : fmt::format(" ({})", printable_path(input.path));
-            throw Error(ExitCode::command_line,
-                        fmt::format("{} would be written over {}{}", printable_path(output),
-                                    input.what, name));
+            throw Error(ErrorKind::setting, fmt::format("{} would be written over {}{}",
+                                                        printable_path(output), input.what, name));
         }
     }
 }

@@ -19,7 +19,7 @@ struct InputFile {
 /// Whether both paths name one file: the same place, or one file that is there by two names.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
-/// Throws Error(ExitCode::command_line) if an output is one of the inputs.
+/// Throws Error(ErrorKind::setting) if an output is one of the inputs.
 void require_spared(const std::vector<std::string>& outputs, const std::vector<InputFile>& inputs);
 
 }  // namespace pxm::host

@@ -38,7 +38,7 @@ bool part_exists() {
     for (const Part& part : parts) {
         if (part.complete) unlink(part.path);
     }
-    _exit(static_cast<int>(signal_exit_code()));
+    _exit(128 + received);  // as shells have it
 }
 
 void on_signal(int signal) {
@@ -83,7 +83,7 @@ void catch_signals() {
 
 const std::atomic<bool>& stop_requested() { return stop; }
 
-ExitCode signal_exit_code() { return static_cast<ExitCode>(128 + received); }
+int received_signal() { return received; }
 
 PartFileGuard::PartFileGuard(const std::string& path) {
     if (path.size() >= sizeof parts[0].path) return;

@@ -1,17 +1,16 @@
-// Signals that end a run: a flag that the engines look at, and the exit code they end with. Where
+// Signals that end a run: a flag that the engines look at, and which one came. Where
 // nobody looks at it the process ends by itself, soon and without a partial file.
 #pragma once
 
 #include <atomic>
 #include <string>
 
-#include "host/error.hpp"
-
 namespace pxm::host {
 
 /// Installs the handlers of SIGINT, SIGTERM, SIGHUP (unless it is ignored, as under nohup) and
 /// SIGXCPU. A signal sets stop_requested(); if the process is not over half a second later, if a
-/// second signal comes, or if a file is being written, it ends at once, with signal_exit_code() and
+/// second signal comes, or if a file is being written, it ends at once, with 128 and the
+/// number of the signal, and
 /// without the file's beginnings. SIGPIPE and SIGXFSZ are ignored: the write that caused them fails
 /// and says so.
 void catch_signals();
@@ -19,9 +18,8 @@ void catch_signals();
 /// Set once a signal came.
 [[nodiscard]] const std::atomic<bool>& stop_requested();
 
-/// 128 and the number of the signal that came, as shells have it: 129 after SIGHUP, 130 after
-/// SIGINT, 143 after SIGTERM, 152 after SIGXCPU.
-[[nodiscard]] ExitCode signal_exit_code();
+/// The number of the signal that came; 0: none.
+[[nodiscard]] int received_signal();
 
 /// While it lives, a signal removes that file. So many at a time; one more, or one with a path too
 /// long for the system's calls, is not guarded.

@@ -16,7 +16,7 @@ namespace pxm::host {
 namespace {
 
 [[noreturn]] void results_are_lost(int error) {
-    throw Error(ExitCode::file, std::string("cannot write to the standard output: ") +
+    throw Error(ErrorKind::file, std::string("cannot write to the standard output: ") +
                                     (error == 0 ? "an earlier part was lost" : strerror(error)));
 }
 

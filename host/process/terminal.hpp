@@ -11,10 +11,10 @@ namespace pxm::host {
 /// that no file of ours gets its number and the messages with it. To be called first.
 void fill_standard_descriptors();
 
-/// A part of the result, in UTF-8. Throws Error(ExitCode::file) if it cannot be written; what is
+/// A part of the result, in UTF-8. Throws Error(ErrorKind::file) if it cannot be written; what is
 /// still in a buffer is checked by finish_results().
 void put_result(std::string_view text);
-/// Writes what is still in the buffer. Throws Error(ExitCode::file) unless all of the results were
+/// Writes what is still in the buffer. Throws Error(ErrorKind::file) unless all of the results were
 /// taken.
 void finish_results();
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "host/wide/tables/wide_scene.hpp"
+#include "host/wide/tables/eligible.hpp"
 
 namespace pxm::host {
 

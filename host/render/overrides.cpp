@@ -19,7 +19,7 @@ void override_with(const std::optional<T>& value, std::optional<T>& target) {
 void require_inside(const CropWindow& crop, const PixelSize& size) {
     if (size.columns < 1 || size.rows < 1) return;
     if (crop.x1 <= size.columns && crop.y1 <= size.rows) return;
-    throw Error(ExitCode::command_line,
+    throw Error(ErrorKind::setting,
                 fmt::format("--crop {},{},{},{} is not inside the {}x{} image", crop.x0, crop.y0,
                             crop.x1, crop.y1, size.columns, size.rows));
 }

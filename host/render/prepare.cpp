@@ -5,7 +5,7 @@
 #include "host/process/phase_clock.hpp"
 #include "host/render/native_numeric.hpp"
 #include "host/scene/check/check.hpp"
-#include "host/wide/tables/wide_scene.hpp"
+#include "host/wide/tables/eligible.hpp"
 
 namespace pxm::host {
 
@@ -22,14 +22,25 @@ IntersectChoice choose_intersect(IntersectMethod asked, const std::string& why_n
                                        : "a native render in float whose objects it can do"};
 }
 
+Scene scene_of(const RenderRequest& request, Diagnostics& diagnostics) {
+    if (!request.scene) {
+        return parse_scene(request.scene_path, request.settings, diagnostics, request.allowed,
+                           request.scene_text);
+    }
+    if (!request.settings.empty()) {
+        throw Error(ErrorKind::setting,
+                    text_of(request.settings) + ": settings are of texts, and this scene has none");
+    }
+    return *request.scene;
+}
+
 }  // namespace
 
 Prepared prepare(const RenderRequest& request) {
     PhaseClock clock;
     Prepared prepared;
     Diagnostics diagnostics;
-    prepared.scene =
-        parse_scene(request.scene_path, request.settings, diagnostics, request.allowed);
+    prepared.scene = scene_of(request, diagnostics);
     if (!diagnostics.has_errors()) {
         apply(request.overrides, prepared.scene);
         check_scene(prepared.scene, diagnostics);
@@ -60,7 +71,7 @@ IntersectChoice intersect_of(const Prepared& prepared, const RenderRequest& requ
                         : wide::why_not_wide(prepared.compiled, numeric_of(prepared, request));
     if (asked != IntersectMethod::wide || why_not.empty()) return choose_intersect(asked, why_not);
     if (request.overrides.intersect) {
-        throw Error(ExitCode::command_line, "--intersect wide: " + why_not);
+        throw Error(ErrorKind::setting, "--intersect wide: " + why_not);
     }
     Diagnostics diagnostics;
     diagnostics.error(render.intersect_position, "render: 'intersect: wide': " + why_not);

@@ -22,18 +22,6 @@ namespace pxm::host {
 
 namespace {
 
-const char* name_of(Numeric numeric) {
-    switch (numeric) {
-        case Numeric::dsp32:
-            return "dsp32";
-        case Numeric::single:
-            return "float";
-        case Numeric::twice:
-            return "double";
-    }
-    return "";
-}
-
 /// What is known before the first ray.
 RenderResult begin_result(const RenderRequest& request, const Prepared& prepared,
                           const EngineChoice& choice, const NodeProgram& program) {
@@ -48,7 +36,7 @@ RenderResult begin_result(const RenderRequest& request, const Prepared& prepared
     statistics.scene = request.scene_path;
     statistics.engine = request.machine ? "machine" : "native";
     statistics.model = request.machine ? std::string(request.machine->name) : "";
-    statistics.numeric = name_of(choice.numeric);
+    statistics.numeric = word_of(numeric_words, choice.numeric);
     statistics.size = scene.size;
     statistics.threads = request.threads;
     statistics.threads_because = request.threads_because;
@@ -152,8 +140,8 @@ std::string explain_pixel(const RenderRequest& request, long x, long y) {
     const Prepared prepared = prepare(request);
     const PixelSize& size = prepared.compiled.size;
     if (x < 0 || y < 0 || x >= size.columns || y >= size.rows) {
-        throw Error(ExitCode::command_line, fmt::format("--pixel {},{} is outside the {}x{} image",
-                                                        x, y, size.columns, size.rows));
+        throw Error(ErrorKind::setting, fmt::format("--pixel {},{} is outside the {}x{} image", x,
+                                                    y, size.columns, size.rows));
     }
     return prepared.warnings +
            describe_pixel(prepared.compiled, numeric_of(prepared, request), x, y);

@@ -35,8 +35,13 @@ struct SceneOverrides {
 /// The scene as it is rendered: overrides win.
 void apply(const SceneOverrides& overrides, Scene& scene);
 
+/// What to render, and how. The scene is `scene` if it is given, else `scene_text`, else the file
+/// at `scene_path`; of the first two scene_path is a name for messages, and what a text includes is
+/// looked for beside it.
 struct RenderRequest {
     std::string scene_path;
+    std::optional<std::string> scene_text = {};
+    std::optional<Scene> scene = {};
     Settings settings;                      // of the scene, under the overrides
     std::vector<std::string> allowed = {};  // folders beside the scene's own (--allow)
     SceneOverrides overrides;
@@ -67,9 +72,10 @@ struct RenderResult {
 /// what is still to come is known.
 using TakeBand = std::function<void(const RenderResult&)>;
 
-/// Renders. A window whose frame would be large in memory is rendered in bands if `take` is
-/// given; natively only. Throws Error: an output is an input (2), the scene is wrong (3), a
-/// file cannot be read (4), the machine is too small (5).
+/// Renders. A window whose frame would be large in memory is rendered in bands if `take` is given;
+/// natively only. Throws Error: an output is an input (2), the scene is wrong (3), a file cannot be
+/// read (4), the machine is too small (5). Nothing outside of the result is touched, so that any
+/// number of renders may run at a time in threads of one process.
 [[nodiscard]] RenderResult render(const RenderRequest& request, const RunControl& control,
                                   const TakeBand& take = nullptr);
 
@@ -77,7 +83,7 @@ using TakeBand = std::function<void(const RenderResult&)>;
 [[nodiscard]] CompiledScene compiled_scene_of(const RenderRequest& request);
 
 /// The same, then one pixel's descent as text (`--pixel x,y`). A pixel
-/// outside the image is an Error(ExitCode::command_line).
+/// outside the image is an Error(ErrorKind::setting).
 [[nodiscard]] std::string explain_pixel(const RenderRequest& request, long x, long y);
 
 }  // namespace pxm::host

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <optional>
 #include <string_view>
 
 #include "host/error.hpp"
+#include "host/scene/words.hpp"
 #include "host/text/number_text.hpp"
 
 namespace pxm::host {
@@ -16,7 +16,7 @@ namespace {
 
 [[noreturn]] void refuse(const char* option, const std::string& found,
                          const std::string& expected) {
-    throw Error(ExitCode::command_line,
+    throw Error(ErrorKind::setting,
                 fmt::format("{}: found \"{}\", expected {}", option, found, expected));
 }
 
@@ -45,17 +45,13 @@ std::optional<std::vector<long>> integers(const std::string& text, char separato
     return values;
 }
 
-/// The value that a word stands for.
-template <class T>
-T one_of(const char* option, const std::string& text,
-         std::initializer_list<std::pair<const char*, T>> words) {
-    std::string expected;
-    for (const auto& [word, value] : words) {
-        if (text == word) return value;
-        if (!expected.empty()) expected += ", ";
-        expected += word;
-    }
-    refuse(option, text, fmt::format("one of {}", expected));
+/// The value that one of the scene language's words stands for.
+template <class Words>
+auto parse_word(const char* option, const Words& words, const std::string& text) {
+    if (const auto value = value_of(words, text)) return *value;
+    std::vector<std::string_view> expected;
+    for (const auto& word : words) expected.push_back(word.text);
+    refuse(option, text, fmt::format("one of {}", fmt::join(expected, ", ")));
 }
 
 }  // namespace
@@ -111,42 +107,19 @@ std::vector<Aov> parse_aovs(const std::string& text) {
 }
 
 Numeric parse_numeric(const std::string& text) {
-    return one_of<Numeric>(
-        "--numeric", text,
-        {{"dsp32", Numeric::dsp32}, {"float", Numeric::single}, {"double", Numeric::twice}});
+    return parse_word("--numeric", numeric_words, text);
 }
-
 Shading parse_shading(const std::string& text) {
-    return one_of<Shading>("--shading", text,
-                           {{"constant", Shading::constant},
-                            {"low-pass", Shading::low_pass},
-                            {"high-pass", Shading::high_pass},
-                            {"facet", Shading::facet}});
+    return parse_word("--shading", shading_words, text);
 }
-
 IntersectMethod parse_intersect(const std::string& text) {
-    return one_of<IntersectMethod>("--intersect", text,
-                                   {{"auto", IntersectMethod::automatic},
-                                    {"heap", IntersectMethod::heap},
-                                    {"fast", IntersectMethod::fast},
-                                    {"wide", IntersectMethod::wide}});
+    return parse_word("--intersect", intersect_words, text);
 }
-
 LipschitzMethod parse_lipschitz(const std::string& text) {
-    return one_of<LipschitzMethod>("--lipschitz", text,
-                                   {{"auto", LipschitzMethod::automatic},
-                                    {"product", LipschitzMethod::product},
-                                    {"determinant", LipschitzMethod::determinant},
-                                    {"polar", LipschitzMethod::polar}});
+    return parse_word("--lipschitz", lipschitz_words, text);
 }
-
 VolumeKind parse_volume(const std::string& text) {
-    return one_of<VolumeKind>("--volume", text,
-                              {{"auto", VolumeKind::automatic},
-                               {"sphere", VolumeKind::sphere},
-                               {"box", VolumeKind::box},
-                               {"oriented", VolumeKind::oriented},
-                               {"hull", VolumeKind::hull}});
+    return parse_word("--volume", volume_words, text);
 }
 
 const Model& parse_model(const char* option, const std::string& text) {

@@ -1,5 +1,5 @@
 // Texts of option values: `--size 640x480`, `--crop 0,0,8,8`, `--covers on`, ... Each function
-// throws Error(ExitCode::command_line) that names the option, what was found and what was expected.
+// throws Error(ErrorKind::setting) that names the option, what was found and what was expected.
 #pragma once
 
 #include <string>

@@ -144,7 +144,16 @@ void Diagnostics::append(const Diagnostics& other) {
 }
 
 void Diagnostics::throw_if_errors(const std::vector<SourceFile>& files) const {
-    if (has_errors()) throw Error(ExitCode::scene, text(files));
+    if (!has_errors()) return;
+    std::vector<Mistake> mistakes;
+    for (const Entry& entry : entries_) {
+        if (!entry.is_error) continue;
+        const Position& at = entry.position;
+        const bool known = at.file >= 0 && static_cast<std::size_t>(at.file) < files.size();
+        mistakes.push_back({known ? files[static_cast<std::size_t>(at.file)].name : "", at.line,
+                            at.column, entry.message});
+    }
+    throw Error(ErrorKind::scene, text(files), std::move(mistakes));
 }
 
 }  // namespace pxm::host

@@ -34,7 +34,7 @@ class Diagnostics {
     [[nodiscard]] std::string text(const std::vector<SourceFile>& files) const;
     /// The warnings alone.
     [[nodiscard]] std::string warnings_text(const std::vector<SourceFile>& files) const;
-    /// Throws Error(ExitCode::scene) with the text if there is any error.
+    /// Throws Error(ErrorKind::scene) with the text if there is any error.
     void throw_if_errors(const std::vector<SourceFile>& files) const;
 
   private:

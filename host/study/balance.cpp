@@ -164,7 +164,7 @@ Json costs_json() {
 
 StudyPlan plan_balance(const StudyRequest& request) {
     if (request.scenes.empty())
-        throw Error(ExitCode::command_line, "study balance: give it at least one scene");
+        throw Error(ErrorKind::setting, "study balance: give it at least one scene");
     StudyPlan plan;
     const std::vector<std::string> names = file_names_of(request.scenes);
     for (std::size_t i = 0; i < names.size(); ++i) {

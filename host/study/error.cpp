@@ -44,7 +44,7 @@ Json machine_seconds(RenderRequest request, const StudyRequest& study, const Uni
     try {
         picture = render_unit(request, control);
     } catch (const Error& error) {
-        if (error.code() != ExitCode::machine_limit) throw;
+        if (error.kind() != ErrorKind::machine_limit) throw;
         return nullptr;
     }
     std::uint64_t slowest = 0;
@@ -107,7 +107,7 @@ Json measure_if_allowed(const std::string& scene, const ErrorSetting& setting,
     try {
         return measure_setting(scene, setting, study, references, control);
     } catch (const Error& error) {
-        if (error.code() != ExitCode::scene && error.code() != ExitCode::command_line) throw;
+        if (error.kind() != ErrorKind::scene && error.kind() != ErrorKind::setting) throw;
         return {{"settings", {{"name", setting.name}}}, {"refused", first_line(error.what())}};
     }
 }
@@ -145,7 +145,7 @@ Json scene_json(const std::string& scene, const Json& results, const StudyReques
 
 StudyPlan plan_error(const StudyRequest& request) {
     if (request.scenes.empty())
-        throw Error(ExitCode::command_line, "study error: give it at least one scene");
+        throw Error(ErrorKind::setting, "study error: give it at least one scene");
     StudyPlan plan;
     const std::vector<std::string> names = file_names_of(request.scenes);
     const std::vector<ErrorSetting> settings = error_settings();

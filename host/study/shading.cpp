@@ -179,7 +179,7 @@ Json assemble(const std::vector<Json>& results, long samples) {
 
 StudyPlan plan_shading(const StudyRequest& request) {
     if (!request.scenes.empty()) {
-        throw Error(ExitCode::command_line,
+        throw Error(ErrorKind::setting,
                     "study shading: it makes its own scenes (the extruded gasket), give it none");
     }
     const long side = std::lround(std::sqrt(static_cast<double>(request.samples)));

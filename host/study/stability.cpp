@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host/files/safe_file.hpp"
+#include "host/process/exit_code.hpp"
 #include "host/study/deviation.hpp"
 #include "host/study/extended.hpp"
 #include "host/study/grade.hpp"
@@ -21,7 +22,7 @@ constexpr int mantissa_bits = std::numeric_limits<long double>::digits;
 constexpr double twin_unit = 3;  // no power of 2: everything is rounded otherwise
 
 /// What computes. A line here is an engine that the study knows. `auto` is the wide engine wherever
-/// it applies, and the reference kernels do what it leaves to them.
+/// it applies, and what it leaves to the reference kernels they do.
 struct NumberChoice {
     const char* name;
     Numeric numeric;
@@ -111,7 +112,7 @@ Json refused(const Error& error) {
             {"missed_share", 0.0},
             {"worst_depth_pixels", 0.0},
             {"grade", "reported"},
-            {"exit_code", static_cast<int>(error.code())},
+            {"exit_code", static_cast<int>(exit_code_of(error.kind()))},
             {"message", error.what()}};
 }
 

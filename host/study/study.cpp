@@ -38,12 +38,12 @@ StudyPlan plan_of(const StudyRequest& request) {
 void make_folder(const std::string& path) {
     std::error_code error;
     if (std::filesystem::exists(path) && !std::filesystem::is_directory(path))
-        throw Error(ExitCode::file,
+        throw Error(ErrorKind::file,
                     fmt::format("cannot make the folder {}: it is a file", printable_path(path)));
     std::filesystem::create_directories(path, error);
     if (error) {
-        throw Error(ExitCode::file, fmt::format("cannot make the folder {}: {}",
-                                                printable_path(path), error.message()));
+        throw Error(ErrorKind::file, fmt::format("cannot make the folder {}: {}",
+                                                 printable_path(path), error.message()));
     }
     require_writable(path + "/data.json");
 }
@@ -127,14 +127,14 @@ const char* name_of(StudyKind kind) {
     return "";
 }
 
-ExitCode run_study(const StudyRequest& request) {
+bool run_study(const StudyRequest& request) {
     const StudyPlan plan = plan_of(request);
     require_spared_scenes(request, plan);
     make_folder(request.folder);
     const auto results = measure_all(request, plan);
     if (!results) {
         if (!request.quiet) tell(fmt::format("stopped; the same command goes on from here\n"));
-        return signal_exit_code();
+        return false;
     }
     Json data = heading(request);
     data.update(plan.assemble(*results));
@@ -143,7 +143,7 @@ ExitCode run_study(const StudyRequest& request) {
     write_text_safely(request.folder + "/report.html", plan.page(data, request.folder));
     write_text_safely(request.folder + "/data.json", json_text(data, 1) + "\n");
     if (!request.quiet) tell(fmt::format("{}/report.html\n", printable_path(request.folder)));
-    return ExitCode::done;
+    return true;
 }
 
 }  // namespace pxm::host

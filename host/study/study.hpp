@@ -75,6 +75,6 @@ struct StudyPlan {
 [[nodiscard]] StudyPlan plan_error(const StudyRequest& request);
 
 /// Runs a study and writes its files. Throws Error as a render does.
-[[nodiscard]] ExitCode run_study(const StudyRequest& request);
+[[nodiscard]] bool run_study(const StudyRequest& request);
 
 }  // namespace pxm::host

@@ -9,6 +9,7 @@
 #include "host/output/image.hpp"
 #include "host/scene/print/print.hpp"
 #include "host/study/page/plot.hpp"
+#include "host/text/digest.hpp"
 
 namespace pxm::host {
 
@@ -41,10 +42,9 @@ std::string fingerprint_of(const std::string& scene, const Settings& settings,
     Diagnostics diagnostics;
     const Scene parsed = parse_scene(scene, settings, diagnostics, allowed);
     diagnostics.throw_if_errors(parsed.files);
-    std::uint64_t hash = 0xcbf2'9ce4'8422'2325;  // FNV-1a
-    for (const char c : print_scene(parsed))
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x0000'0100'0000'01b3;
-    return fmt::format("{:016x}", hash);
+    Digest digest;
+    for (const char c : print_scene(parsed)) digest.add(static_cast<unsigned char>(c));
+    return fmt::format("{:016x}", digest.value());
 }
 
 RenderResult render_unit(const RenderRequest& request, const UnitControl& control) {

@@ -16,7 +16,7 @@ namespace pxm::host {
 [[nodiscard]] std::vector<std::string> file_names_of(const std::vector<std::string>& scenes);
 
 /// A hash of what the scene says with what is set of it, includes too, as 16 hex digits. Throws
-/// Error(ExitCode::file, scene).
+/// Error(ErrorKind::file, scene).
 [[nodiscard]] std::string fingerprint_of(const std::string& scene, const Settings& settings,
                                          const std::vector<std::string>& allowed);
 

@@ -31,7 +31,7 @@ void UnitStore::put(const std::string& name, const Json& settings, const Json& r
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
     if (error) {
-        throw Error(ExitCode::file,
+        throw Error(ErrorKind::file,
                     "cannot make the folder " + printable_path(folder_) + ": " + error.message());
     }
     write_text_safely(path(name), json_text({{"settings", settings}, {"result", result}}) + "\n");

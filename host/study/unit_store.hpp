@@ -16,7 +16,7 @@ class UnitStore {
     /// that cannot be read or understood counts as absent.
     [[nodiscard]] std::optional<nlohmann::ordered_json> find(
         const std::string& name, const nlohmann::ordered_json& settings) const;
-    /// Stores a result, whole or not at all. Throws Error(ExitCode::file).
+    /// Stores a result, whole or not at all. Throws Error(ErrorKind::file).
     void put(const std::string& name, const nlohmann::ordered_json& settings,
              const nlohmann::ordered_json& result);
 

@@ -12,7 +12,7 @@ using namespace pxm::host;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const FileReader refuse = [](const std::string& path) -> std::string {
-        throw Error(ExitCode::file, path + ": no such file");
+        throw Error(ErrorKind::file, path + ": no such file");
     };
     const std::string text(reinterpret_cast<const char*>(data), size);
     Diagnostics diagnostics;

@@ -87,7 +87,7 @@ int exit_code(const Arguments& arguments) {
         return static_cast<int>(code);
     } catch (const host::Error& error) {
         host::tell(std::string("pxm: ") + error.what() + "\n");
-        return static_cast<int>(error.code());
+        return static_cast<int>(host::exit_code_of(error.kind()));
     }
 }
 

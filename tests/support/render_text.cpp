@@ -2,14 +2,13 @@
 
 #include <cstring>
 
-#include "tests/support/folder.hpp"
+#include "host/process/exit_code.hpp"
 
 namespace pxm::test {
 
 host::RenderResult render_text(const std::string& text, host::RenderRequest request) {
-    const Folder folder;
-    folder.write("scene.pxm", text);
-    request.scene_path = folder.path("scene.pxm");
+    request.scene_path = "scene.pxm";
+    request.scene_text = text;
     return host::render(request, {});
 }
 
@@ -25,7 +24,7 @@ std::string error_of(const std::function<void()>& work) {
     try {
         work();
     } catch (const host::Error& error) {
-        return std::to_string(static_cast<int>(error.code())) + ": " + error.what();
+        return std::to_string(static_cast<int>(exit_code_of(error.kind()))) + ": " + error.what();
     }
     return "";
 }

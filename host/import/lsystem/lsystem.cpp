@@ -37,7 +37,7 @@ class SystemBuilder {
         open_rigid_cycles();
         drop_empty_kinds();
         if (system_.start.empty())
-            throw Error(ExitCode::scene,
+            throw Error(ErrorKind::scene,
                         fmt::format("L-system \"{}\" has no exact linear fractal: what it draws "
                                     "does not grow with the level",
                                     lsystem_.name));
@@ -74,7 +74,7 @@ class SystemBuilder {
         }
         count_ += kind.maps.size();
         if (count_ > maps_an_ifs)
-            throw Error(ExitCode::scene, fmt::format("L-system \"{}\" has more than {} maps",
+            throw Error(ErrorKind::scene, fmt::format("L-system \"{}\" has more than {} maps",
                                                      lsystem_.name, maps_an_ifs));
         system_.kinds.push_back(std::move(kind));
     }
@@ -221,7 +221,7 @@ void require_small_graph(const EdgeSystem& system) {
         for (const EdgeMap& map : kind.maps)
             edges += system.kinds[static_cast<std::size_t>(map.inside)].maps.size();
     if (system.kinds.size() > 1 && edges > most_edges)
-        throw Error(ExitCode::scene,
+        throw Error(ErrorKind::scene,
                     fmt::format("the L-system's graph has {} edges: at most {} are taken", edges,
                                 most_edges));
 }

@@ -74,7 +74,7 @@ struct EdgeSystem {
     std::complex<double> growth{1.0};  // of lengths, from one level to the next
 };
 
-/// The system of the limit. Throws Error(ExitCode::scene) with the reason if the L-system has no
+/// The system of the limit. Throws Error(ErrorKind::scene) with the reason if the L-system has no
 /// exact one.
 [[nodiscard]] EdgeSystem edge_system(const Lsystem& lsystem);
 

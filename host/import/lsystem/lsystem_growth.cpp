@@ -71,7 +71,7 @@ class GrowthSearch {
 
   private:
     [[noreturn]] void fail(const std::string& why) const {
-        throw Error(ExitCode::scene,
+        throw Error(ErrorKind::scene,
                     fmt::format("L-system \"{}\" has no exact linear fractal: {}", name_, why));
     }
 

@@ -67,7 +67,7 @@ struct Growth {
     std::complex<double> factor{1.0};  // of all lengths from one level to the next
 };
 
-/// Throws Error(ExitCode::scene) with the reason if lengths do not settle to a common growth.
+/// Throws Error(ErrorKind::scene) with the reason if lengths do not settle to a common growth.
 [[nodiscard]] Growth find_growth(const Grammar& grammar, const std::string& name);
 
 }  // namespace pxm::host

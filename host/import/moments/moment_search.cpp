@@ -196,7 +196,7 @@ class Search {
     Search(std::span<const WeightedPoint> points, const MomentRequest& request)
         : request_(request), frame_(frame_of(points)) {
         if (!(frame_.unit > 0))
-            throw Error(ExitCode::scene, "nothing to import: the picture is a single point");
+            throw Error(ErrorKind::scene, "nothing to import: the picture is a single point");
         moved_ = within(frame_, points);
     }
 

@@ -34,7 +34,7 @@ struct MomentResult {
 };
 
 /// The best maps found in the time. The same seed gives the same maps unless time ran out. Throws
-/// Error(ExitCode::scene) if the points have no extent.
+/// Error(ErrorKind::scene) if the points have no extent.
 [[nodiscard]] MomentResult search_moments(std::span<const WeightedPoint> points,
                                           const MomentRequest& request);
 

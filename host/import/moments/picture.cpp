@@ -52,7 +52,7 @@ double border_of(const LoadedImage& image, const std::vector<double>& grey) {
 Picture picture_of(const LoadedImage& image) {
     constexpr double background = 0.25;  // of the largest ink: less is none
     if (image.width <= 0 || image.height <= 0 || image.channels.empty())
-        throw Error(ExitCode::scene, "nothing to import: the image is empty");
+        throw Error(ErrorKind::scene, "nothing to import: the image is empty");
     std::vector<double> ink = grey_of(image);
     const double border = border_of(image, ink);
     double most = 0;
@@ -60,7 +60,7 @@ Picture picture_of(const LoadedImage& image) {
         value = std::abs(value - border);
         most = std::max(most, value);
     }
-    if (!(most > 1.0 / 255)) throw Error(ExitCode::scene, "nothing to import: the image is blank");
+    if (!(most > 1.0 / 255)) throw Error(ErrorKind::scene, "nothing to import: the image is blank");
     const double unit = 2.0 / std::max(image.width, image.height);
     const auto width = static_cast<std::size_t>(image.width);
     Picture picture;
@@ -106,7 +106,7 @@ Picture read_points(const std::string& name, const std::string& text) {
     diagnostics.throw_if_errors({{name, text}});
     double mass = 0;
     for (const WeightedPoint& p : picture.points) mass += p.weight;
-    if (!(mass > 0)) throw Error(ExitCode::scene, name + ": no points");
+    if (!(mass > 0)) throw Error(ErrorKind::scene, name + ": no points");
     return picture;
 }
 

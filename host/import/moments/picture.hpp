@@ -17,11 +17,11 @@ struct Picture {
 
 /// The image's ink: how far a pixel's grey (times its alpha) is from that of the border, at least a
 /// quarter of the largest such difference. Pixels are points; the longer side of the image is 2,
-/// its middle (0,0), y up. Throws Error(ExitCode::scene) if the image is blank.
+/// its middle (0,0), y up. Throws Error(ErrorKind::scene) if the image is blank.
 [[nodiscard]] Picture picture_of(const LoadedImage& image);
 
 /// Points from text: two numbers a line, or three, the third a weight; `#` and `;` start a comment.
-/// Throws Error(ExitCode::scene) at the place of a mistake.
+/// Throws Error(ErrorKind::scene) at the place of a mistake.
 [[nodiscard]] Picture read_points(const std::string& name, const std::string& text);
 
 }  // namespace pxm::host

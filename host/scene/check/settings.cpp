@@ -18,7 +18,7 @@ namespace pxm::host {
 namespace {
 
 [[noreturn]] void refuse(const Setting& setting, const std::string& why) {
-    throw Error(ExitCode::command_line, fmt::format("--set {}={}: {}", printable(setting.key, 100),
+    throw Error(ErrorKind::setting, fmt::format("--set {}={}: {}", printable(setting.key, 100),
                                                     printable(setting.value, 100), why));
 }
 
@@ -118,7 +118,7 @@ void set_blocks(Scene& scene, const Settings& settings, const Constants& constan
 Setting parse_setting(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
-        throw Error(ExitCode::command_line,
+        throw Error(ErrorKind::setting,
                     fmt::format("--set: found \"{}\", expected NAME=VALUE or BLOCK.DIRECTIVE=VALUE",
                                 printable(text, 100)));
     const std::size_t end = text.find_last_not_of(" \t", equals - 1);
@@ -148,12 +148,13 @@ std::string text_of(const Settings& settings) {
 }
 
 Scene parse_scene(const std::string& path, const Settings& settings, Diagnostics& diagnostics,
-                  const std::vector<std::string>& allowed) {
-    if (settings.empty()) return parse_scene(path, diagnostics, allowed);
+                  const std::vector<std::string>& allowed, const std::optional<std::string>& text) {
+    if (settings.empty()) return parse_scene(path, diagnostics, allowed, nullptr, text);
     LetSettings lets(settings);
-    Scene scene = parse_scene(path, diagnostics, allowed, [&](const std::string& name, double own) {
+    const LetNumber number = [&](const std::string& name, double own) {
         return lets.number(name, own);
-    });
+    };
+    Scene scene = parse_scene(path, diagnostics, allowed, number, text);
     if (diagnostics.has_errors()) return scene;
     lets.require_all_found();
     set_blocks(scene, settings, lets.numbers());

@@ -2,6 +2,7 @@
 // in the scene's own words (docs/scene-language.md, "Set from outside").
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct Setting {
 };
 using Settings = std::vector<Setting>;
 
-/// Of `KEY=VALUE`. Throws Error(ExitCode::command_line).
+/// Of `KEY=VALUE`. Throws Error(ErrorKind::setting).
 [[nodiscard]] Setting parse_setting(const std::string& text);
 [[nodiscard]] Settings parse_settings(const std::vector<std::string>& texts);
 
@@ -28,9 +29,10 @@ using Settings = std::vector<Setting>;
 
 /// Parses the scene file at `path` (parser.hpp) as if it said what is set; the last setting of a
 /// key wins. The scene's own mistakes go to `diagnostics`; a setting that names nothing, cannot be
-/// read or makes a sound scene wrong (check.hpp) is an Error(ExitCode::command_line).
+/// read or makes a sound scene wrong (check.hpp) is an Error(ErrorKind::setting).
 [[nodiscard]] Scene parse_scene(const std::string& path, const Settings& settings,
                                 Diagnostics& diagnostics,
-                                const std::vector<std::string>& allowed = {});
+                                const std::vector<std::string>& allowed = {},
+                                const std::optional<std::string>& text = {});
 
 }  // namespace pxm::host

@@ -195,12 +195,13 @@ void refuse_pictures_outside(const Scene& scene, const AllowedFolders& folders,
 }  // namespace
 
 Scene parse_scene(const std::string& path, Diagnostics& diagnostics,
-                  const std::vector<std::string>& allowed, const LetNumber& let_number) {
+                  const std::vector<std::string>& allowed, const LetNumber& let_number,
+                  const std::optional<std::string>& text) {
     const AllowedFolders folders(path, allowed);
     const FileReader reader = [&](const std::string& included) {
         return read_file(folders.resolved(included), included);
     };
-    Scene scene = parse_text(path, read_file(path), diagnostics, reader, let_number);
+    Scene scene = parse_text(path, text ? *text : read_file(path), diagnostics, reader, let_number);
     refuse_pictures_outside(scene, folders, diagnostics);
     return scene;
 }

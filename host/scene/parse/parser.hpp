@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@
 
 namespace pxm::host {
 
-/// Reads a file's whole text. Throws Error(ExitCode::file) when it cannot be read.
+/// Reads a file's whole text. Throws Error(ErrorKind::file) when it cannot be read.
 using FileReader = std::function<std::string(const std::string& path)>;
 
 /// The number that a `let` stands for, given the one it is written with.
@@ -20,10 +21,12 @@ using LetNumber = std::function<double(const std::string& name, double written)>
 /// Parses the scene file at `path`. Syntax errors go to `diagnostics` (the parser goes on after
 /// each); scene.files is filled in either case. An include that cannot be found is a scene error at
 /// its place, and so is one, or the picture of a texture, that lies neither below the scene's
-/// folder nor below one of `allowed`. `let_number` may change the numbers of `let`s.
+/// folder nor below one of `allowed`. `let_number` may change the numbers of `let`s. A `text` stands
+/// for what the file holds, which is not read then.
 [[nodiscard]] Scene parse_scene(const std::string& path, Diagnostics& diagnostics,
                                 const std::vector<std::string>& allowed = {},
-                                const LetNumber& let_number = nullptr);
+                                const LetNumber& let_number = nullptr,
+                                const std::optional<std::string>& text = {});
 
 /// Parses text that is in memory; `name` stands in messages. Includes are read through `reader`,
 /// and may lie anywhere.

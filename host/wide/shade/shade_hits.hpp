@@ -20,8 +20,9 @@ struct Workspace : SearchWorkspace {
     std::vector<EnclosingNormal> enclosing;  // of the ray that is being looked at
 };
 
-/// Shades what rays of the packet have found, a bit each, and fills in `seen[ray]`. Returns the
-/// rays whose walk along the path confirms it in float; the reference kernels judge the others.
+/// Looks at what rays of the bundle have found, a bit each, and fills in `seen[ray]`. Returns those
+/// whose walk along the path confirms it in float: of the others the reference kernels are to
+/// judge.
 [[nodiscard]] std::uint64_t see_cells(const WideScene& scene, Workspace& work, std::uint64_t rays,
                                       SeenCell* const* seen);
 

@@ -1,7 +1,5 @@
 #include "host/wide/tables/wide_scene.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -9,16 +7,14 @@
 
 #include "host/engine/gather.hpp"
 #include "host/math/lipschitz.hpp"
-#include "host/node_program/crowded.hpp"
 #include "host/node_program/write_scene_block.hpp"
 #include "host/wide/tables/candidate_views.hpp"
+#include "host/wide/tables/eligible.hpp"
 #include "host/wide/tables/homothety_tables.hpp"
 
 namespace pxm::host::wide {
 
 namespace {
-
-constexpr double thinnest = 1e-7;  // half width of a box, of its diameter
 
 /// From the unit coordinates of a volume, in which it is the unit ball or the cube [-1,1]^3.
 Affine from_unit(const CompiledVolume& volume) {
@@ -106,26 +102,6 @@ std::array<float, 3> floats(const glm::dvec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// Whether a volume is a ball or a box, in whatever axes, that is not flat.
-bool is_ball_or_box(const CompiledVolume& volume) {
-    if (volume.kind == kernels::Volume::oriented) {
-        return std::ranges::all_of(volume.half, [&](const glm::dvec3& half) {
-            return glm::length(half) > thinnest * volume.diameter;
-        });
-    }
-    return volume.kind == kernels::Volume::sphere || volume.kind == kernels::Volume::box;
-}
-
-bool has_balls(const CompiledSet& set) { return set.volume.kind == kernels::Volume::sphere; }
-
-/// Grass and its kin: children tested together, without the culls in between, are hundreds of times
-/// more cells there, and a render does not end in comfortable time.
-bool squashes_much(const Affine& map) {
-    constexpr double much = 16;  // times more in one direction than in another
-    const auto values = singular_values(map.linear).values;
-    return !(values[0] <= much * values[2]);
-}
-
 /// The diameter of the outermost cell around an object; 0 if none is.
 double widest_around(const CompiledScene& scene, const CompiledObject& object) {
     double widest = 0;
@@ -137,120 +113,7 @@ double widest_around(const CompiledScene& scene, const CompiledObject& object) {
     return widest;
 }
 
-/// Cells that hardly get smaller from level to level would fill the tables that a tile's rays
-/// share: gigabytes at 0.995.
-bool hardly_contracts(const CompiledMap& map) { return !(map.constant <= 0.985); }
-
-/// What of a scene's objects the wide engine cannot do.
-class Limits {
-  public:
-    explicit Limits(const CompiledScene& scene) : scene_(scene), crowded_(crowded_shapes(scene)) {}
-
-    /// Empty if it can do the object.
-    [[nodiscard]] std::string why_not(const CompiledObject& object) const;
-    [[nodiscard]] bool allow(const CompiledObject& object) const { return why_not(object).empty(); }
-
-  private:
-    const CompiledScene& scene_;
-    std::vector<bool> crowded_;
-};
-
-std::string Limits::why_not(const CompiledObject& object) const {
-    const auto index = static_cast<std::size_t>(object.shape);
-    const CompiledShape& shape = scene_.shapes[index];
-    if (shape.lifted) return "has singular maps, which were lifted";
-    // One search for all cells of a tile has no account of those that are alike.
-    if (crowded_[index] && !scene_.area) return "has cells that overlap very much";
-    if (!std::ranges::all_of(shape.sets, is_ball_or_box, &CompiledSet::volume)) {
-        return "has bounding volumes that are neither balls nor boxes";
-    }
-    const auto balls = std::ranges::count_if(shape.sets, has_balls);
-    if (balls != 0 && balls != std::ssize(shape.sets)) return "has balls and boxes side by side";
-    if (shape.maps.size() > most_maps) return fmt::format("has more than {} maps", most_maps);
-    if (std::ranges::any_of(shape.maps, squashes_much, &CompiledMap::map)) {
-        return "has maps that squash very much";
-    }
-    if (!object.prefix.empty() && squashes_much(object.instance)) {
-        return "has cells near the eye that are squashed very much";
-    }
-    if (std::ranges::any_of(shape.maps, hardly_contracts)) return "has maps that hardly contract";
-    return "";
-}
-
-ObjectMethod wide_method(const CompiledScene& scene, const CompiledObject& object,
-                         const WideObject& wide, const std::vector<WideSet>& sets) {
-    const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
-    if (scene.area) return {object.name, "wide, beams", "local covers by area"};
-    if (!wide.fixed_direction) {
-        const bool many = shape.maps.size() > static_cast<std::size_t>(opened_cell_room);
-        return {object.name, "wide, composed maps",
-                has_fixed_direction(scene, object) && many ? "very many maps"
-                                                           : "maps that are no homotheties"};
-    }
-    if (wide.grid) return {object.name, "wide, grid walk", "homotheties to boxes in slices"};
-    const std::vector<HomothetyTable>& composed = sets[static_cast<std::size_t>(wide.set)].composed;
-    if (!composed.empty()) {
-        const std::string levels =
-            fmt::format("homotheties, up to {} levels at once", composed.back().steps);
-        const bool lists = composed.back().count > table_step;
-        return {object.name, lists ? "wide, listed cells" : "wide, grandchildren", levels};
-    }
-    return {object.name, "wide, children", "homotheties"};
-}
-
 }  // namespace
-
-std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
-    if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
-    if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
-    if (needs_covers(scene) && !scene.area) {
-        return "local covers by diameter and translucent objects are the reference kernels'";
-    }
-    const Limits limits(scene);
-    if (scene.area) {  // the cells of all objects share the places of a pixel
-        for (const CompiledObject& object : scene.objects) {
-            const std::string reason = limits.why_not(object);
-            if (!reason.empty()) {
-                return fmt::format(
-                    "object \"{}\" {}, and local covers by area are done by one "
-                    "engine",
-                    object.name, reason);
-            }
-        }
-    }
-    const bool some = std::ranges::any_of(
-        scene.objects, [&](const CompiledObject& object) { return limits.allow(object); });
-    if (some) return "";
-    if (scene.objects.empty()) return "there is no object";
-    const CompiledObject& first = scene.objects.front();
-    return fmt::format("object \"{}\" {}", first.name, limits.why_not(first));
-}
-
-CompiledScene left_to_clear_kernels(const CompiledScene& scene) {
-    CompiledScene rest = scene;
-    const Limits limits(scene);
-    std::erase_if(rest.objects, [&](const CompiledObject& object) { return limits.allow(object); });
-    return rest;
-}
-
-std::vector<ObjectMethod> object_methods(const CompiledScene& scene) {
-    const std::string reason = why_not_wide(scene, Numeric::single);
-    std::vector<ObjectMethod> methods;
-    const WideScene wide = reason.empty() ? make_wide_scene(scene) : WideScene{};
-    const Limits limits(scene);
-    std::size_t next = 0;  // of the wide scene's objects
-    for (const CompiledObject& object : scene.objects) {
-        const std::string own = limits.why_not(object);
-        const std::size_t at = own.empty() ? next++ : 0;
-        if (object.origin < static_cast<int>(methods.size())) continue;
-        if (!reason.empty() || !own.empty()) {
-            methods.push_back({object.name, "heap", own.empty() ? reason : "it " + own});
-        } else {
-            methods.push_back(wide_method(scene, object, wide.objects[at], wide.sets));
-        }
-    }
-    return methods;
-}
 
 WideScene make_wide_scene(const CompiledScene& scene) {
     WideScene wide;
@@ -265,11 +128,12 @@ WideScene make_wide_scene(const CompiledScene& scene) {
     wide.background = floats(scene.background);
     wide.lights = scene.lights;
     wide.enclosures = scene.enclosures;
-    const Limits limits(scene);
+    wide.why_not = why_not_objects(scene);
     std::vector<int> first_sets;
     std::vector<bool> in_use(scene.shapes.size(), false);
-    for (const CompiledObject& object : scene.objects) {
-        if (limits.allow(object)) in_use[static_cast<std::size_t>(object.shape)] = true;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (!wide.why_not[i].empty()) continue;
+        in_use[static_cast<std::size_t>(scene.objects[i].shape)] = true;
     }
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         first_sets.push_back(static_cast<int>(wide.sets.size()));
@@ -280,7 +144,7 @@ WideScene make_wide_scene(const CompiledScene& scene) {
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const CompiledObject& object = scene.objects[i];
-        if (!limits.allow(object)) continue;
+        if (!wide.why_not[i].empty()) continue;
         const auto index = static_cast<std::size_t>(object.shape);
         const CompiledShape& shape = scene.shapes[index];
         const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(object.start)].volume;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "host/compiled/compiled_scene.hpp"
@@ -16,8 +17,8 @@
 
 namespace pxm::host::wide {
 
-inline constexpr int table_step = 16;  // children are padded to multiples of the widest register
 inline constexpr std::size_t most_maps = 1024;  // of an object
+inline constexpr int table_step = 16;  // children are padded to multiples of the widest register
 
 /// Cells that a ray keeps of one that it has opened, and levels that it goes down below an entry
 /// cell: what tables are made for.
@@ -141,6 +142,7 @@ struct WideObject {
 };
 
 struct WideScene {
+    std::vector<std::string> why_not;  // of each object of the compiled scene (eligible.hpp)
     std::vector<WideSet> sets;        // of all shapes
     std::vector<WideObject> objects;  // those that the wide engine can do
     /// How objects of homotheties with balls are turned: from scene to unit coordinates, lengths
@@ -160,22 +162,7 @@ struct WideScene {
     std::vector<CompiledLight> lights;
 };
 
-/// Why nothing of this scene can be rendered by the wide engine; empty if it can, or if at least
-/// one of its objects can: the others are left to the reference kernels then.
-[[nodiscard]] std::string why_not_wide(const CompiledScene& scene, Numeric numeric);
-
-/// How the first cells of one object are found in native renders in float.
-struct ObjectMethod {
-    std::string object;
-    std::string method;
-    std::string because;
-};
-[[nodiscard]] std::vector<ObjectMethod> object_methods(const CompiledScene& scene);
-
-/// The scene with those objects alone that the wide engine cannot do.
-[[nodiscard]] CompiledScene left_to_clear_kernels(const CompiledScene& scene);
-
-/// Precondition: why_not_wide() is empty.
+/// Precondition: some of the objects are eligible (eligible.hpp); the others are left out.
 [[nodiscard]] WideScene make_wide_scene(const CompiledScene& scene);
 
 }  // namespace pxm::host::wide

@@ -8,26 +8,24 @@
 
 namespace pxm::host::wide {
 
-ClearRest::ClearRest(const CompiledScene& whole, const WideScene& wide)
-    : scene(left_to_clear_kernels(whole)) {
-    if (scene.objects.empty()) return;
-    block = make_scene_block<double>(scene);
-    const auto is_wide = [&](int i) {
-        return std::ranges::any_of(wide.objects,
-                                   [&](const WideObject& object) { return object.index == i; });
-    };
-    for (int i = 0; i < static_cast<int>(whole.objects.size()); ++i) {
-        if (!is_wide(i)) indices.push_back(i);
+ReferenceFallback::ReferenceFallback(const CompiledScene& whole, const WideScene& wide)
+    : scene(whole) {
+    scene.objects.clear();
+    for (std::size_t i = 0; i < whole.objects.size(); ++i) {
+        if (wide.why_not[i].empty()) continue;
+        scene.objects.push_back(whole.objects[i]);
+        indices.push_back(static_cast<int>(i));
     }
+    if (!scene.objects.empty()) block = make_scene_block<double>(scene);
 }
 
-ClearSearch::ClearSearch(const ClearRest& rest)
+FallbackSearch::FallbackSearch(const ReferenceFallback& rest)
     : rest_(rest),
       node_(make_native_node<Node>(rest.scene, rest.block)),
       heap_(node_),
       constants_(kernels::read_frame_constants(node_)) {}
 
-bool ClearSearch::meets(const LoneRay& ray, double end) {
+bool FallbackSearch::meets(const LoneRay& ray, double end) {
     constants_.search.ray = to_node(ray);
     constants_.search.start = ray.start;
     constants_.search.end = std::min(end, kernels::far_away<double>);
@@ -37,7 +35,7 @@ bool ClearSearch::meets(const LoneRay& ray, double end) {
     return result_.outcome != kernels::Outcome::miss;
 }
 
-ClearlySeen ClearSearch::see(SeenCell& seen) {
+FallbackHit FallbackSearch::see(SeenCell& seen) {
     const kernels::Cell<double>& cell = result_.cell;
     const kernels::Sighting<double> sighting{constants_.search, cell, 0};
     kernels::LitPlace<double> lit;

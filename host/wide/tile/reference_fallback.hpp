@@ -16,8 +16,8 @@
 namespace pxm::host::wide {
 
 /// The scene of these objects; one for all threads.
-struct ClearRest {
-    ClearRest(const CompiledScene& whole, const WideScene& wide);
+struct ReferenceFallback {
+    ReferenceFallback(const CompiledScene& whole, const WideScene& wide);
 
     CompiledScene scene;
     std::vector<std::uint32_t> block;  // in double; empty if there are no such objects
@@ -25,7 +25,7 @@ struct ClearRest {
 };
 
 /// What a ray sees of one of these objects, besides what it sees of other cells.
-struct ClearlySeen {
+struct FallbackHit {
     double t;  // along the ray
     float diffuse;
     float reflect;
@@ -33,14 +33,14 @@ struct ClearlySeen {
 };
 
 /// One thread's searches.
-class ClearSearch {
+class FallbackSearch {
   public:
-    explicit ClearSearch(const ClearRest& rest);
+    explicit FallbackSearch(const ReferenceFallback& rest);
 
     /// Whether the ray meets a cell between its start and `end`.
     [[nodiscard]] bool meets(const LoneRay& ray, double end);
     /// What was met; the cell's depth is left as it is. Precondition: meets() was true.
-    [[nodiscard]] ClearlySeen see(SeenCell& seen);
+    [[nodiscard]] FallbackHit see(SeenCell& seen);
     /// Volumes that the last call of meets() tested.
     [[nodiscard]] std::uint32_t tested() const {
         return static_cast<std::uint32_t>(counts_.volumes_tested);
@@ -50,7 +50,7 @@ class ClearSearch {
   private:
     using Node = NativeNode<double>;
 
-    const ClearRest& rest_;
+    const ReferenceFallback& rest_;
     Node node_;
     kernels::Heap<Node> heap_;
     kernels::FrameConstants<double> constants_;

@@ -13,8 +13,9 @@
 
 namespace pxm::host::wide {
 
-TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide, const ClearRest& rest,
-                       const std::vector<std::uint32_t>& block, Frame& frame)
+TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide,
+                       const ReferenceFallback& rest, const std::vector<std::uint32_t>& block,
+                       Frame& frame)
     : scene_(scene),
       wide_(wide),
       block_(block),
@@ -201,7 +202,7 @@ bool TileTracer::see_rest(Kind kind, int i) {
     }
     if (!met) return false;
     LitPlace& place = lit_[lit_count_++];
-    const ClearlySeen clear = rest_->see(place.seen);
+    const FallbackHit clear = rest_->see(place.seen);
     place.lane = i;
     place.diffuse = clear.diffuse;
     place.reflect = clear.reflect;

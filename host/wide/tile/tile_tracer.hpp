@@ -1,6 +1,6 @@
 // What is seen through the pixels of an 8x8 tile, with shadows, mirrors, planes and samples: as
-// dsp_kernels/trace.hpp, but a step is done for a whole packet of rays before the next one. Cells
-// are found by host/wide/search; planes and textures are the reference kernels' own. A pixel with a
+// dsp_kernels/trace.hpp, but a step is done for a whole bundle of rays before the next one. Cells
+// are found by bundle_search; planes and textures are the reference kernels' own. A pixel with a
 // ray that the search gives up, or a hit that is not confirmed in float, is rendered by the clear
 // kernels from its beginning.
 #pragma once
@@ -34,7 +34,7 @@ void for_bits(std::uint64_t bits, const Each& each) {
 class TileTracer {
   public:
     /// `block` is the scene block in double. All must outlive the tracer.
-    TileTracer(const CompiledScene& scene, const WideScene& wide, const ClearRest& rest,
+    TileTracer(const CompiledScene& scene, const WideScene& wide, const ReferenceFallback& rest,
                const std::vector<std::uint32_t>& block, Frame& frame);
 
     /// Renders those of the tile's pixels that lie in the frame.
@@ -142,7 +142,7 @@ class TileTracer {
     bool needs_all_rays_;  // there are planes, or objects of the reference kernels
     bool needs_rays_;      // there are planes, shadows or mirrors
     bool is_plain_;        // render_plainly() will do
-    std::optional<ClearSearch> rest_;
+    std::optional<FallbackSearch> rest_;
     std::array<PixelRecord, bundle_rays> nothing_seen_;  // of a tile
     Workspace work_;
     long left_ = 0;  // of the tile

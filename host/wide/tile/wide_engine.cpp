@@ -29,7 +29,7 @@ class LoadedWideScene : public LoadedScene {
     const CompiledScene& scene_;
     int threads_;
     WideScene wide_;
-    ClearRest rest_;
+    ReferenceFallback rest_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "host/render/alarms.hpp"
 #include "host/scene/parse/parser.hpp"
-#include "host/wide/tables/wide_scene.hpp"
+#include "host/wide/tables/eligible.hpp"
 #include "host/wide/tile/wide_engine.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/example_scenes.hpp"

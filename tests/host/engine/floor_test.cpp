@@ -239,7 +239,7 @@ TEST(Floor, a_plane_beyond_all_numbers_is_an_error) {
                   try {
                       (void)compile_text("plane p { point: 0,1e200,0 normal: 0,1,0 }");
                   } catch (const std::exception& error) {
-                      throw Error(ExitCode::scene, error.what());
+                      throw Error(ErrorKind::scene, error.what());
                   }
               }),
               "3: test.pxm:1:1: error: plane \"p\" is too far away: its point lies beyond 1e+100\n"

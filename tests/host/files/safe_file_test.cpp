@@ -26,13 +26,13 @@ using test::FileSizeLimit;
 using test::Folder;
 using Names = std::vector<std::string>;
 
-/// The message of the Error(ExitCode::file) that `work` throws.
+/// The message of the Error(ErrorKind::file) that `work` throws.
 template <class Work>
 std::string refusal(Work work) {
     try {
         work();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::file);
+        EXPECT_EQ(error.kind(), ErrorKind::file);
         return error.what();
     }
     return "(nothing was thrown)";

@@ -27,7 +27,7 @@ Imported imported(const std::string& file, const std::string& entry) {
 }
 
 struct Refusal {
-    ExitCode code = ExitCode::done;
+    std::optional<ErrorKind> kind;
     std::string text;
 };
 
@@ -37,7 +37,7 @@ Refusal refusal(const Import& import) {
         (void)import();
         return {};
     } catch (const Error& error) {
-        return {error.code(), error.what()};
+        return {error.kind(), error.what()};
     }
 }
 
@@ -83,25 +83,25 @@ TEST(Import, the_fern_is_barnsleys) {
 
 TEST(Import, what_does_not_contract_is_refused_with_the_map) {
     const Refusal r = refusal([] { return imported("classic.ifs", "grows"); });
-    EXPECT_EQ(r.code, ExitCode::scene);
+    EXPECT_EQ(r.kind, ErrorKind::scene);
     EXPECT_THAT(r.text,
                 HasSubstr("classic.ifs:20:1: error: \"grows\" is no linear fractal: it could "
                           "not be shown to contract: map 1 has Lipschitz constant 1.01"));
-    EXPECT_EQ(refusal([] { return imported("classic.l", "Straight"); }).code, ExitCode::scene);
-    EXPECT_EQ(refusal([] { return imported("classic.l", "Closed"); }).code, ExitCode::scene);
-    EXPECT_EQ(refusal([] { return imported("classic.l", "Context"); }).code, ExitCode::scene);
+    EXPECT_EQ(refusal([] { return imported("classic.l", "Straight"); }).kind, ErrorKind::scene);
+    EXPECT_EQ(refusal([] { return imported("classic.l", "Closed"); }).kind, ErrorKind::scene);
+    EXPECT_EQ(refusal([] { return imported("classic.l", "Context"); }).kind, ErrorKind::scene);
 }
 
 TEST(Import, of_several_entries_one_must_be_chosen) {
     const std::string two = "a { .5 0 0 .5 0 0 1 } B { .5 0 0 .5 0 1 1 }";
     const Refusal none = refusal_of(two, FractintFormat::ifs);
-    EXPECT_EQ(none.code, ExitCode::command_line);
+    EXPECT_EQ(none.kind, ErrorKind::setting);
     EXPECT_EQ(none.text, "f has 2 entries; choose one with --entry NAME:\n  a\n  B");
     const Refusal other = refusal_of(two, FractintFormat::ifs, "c");
-    EXPECT_EQ(other.code, ExitCode::command_line);
+    EXPECT_EQ(other.kind, ErrorKind::setting);
     EXPECT_EQ(other.text, "f has no entry \"c\"; it has:\n  a\n  B");
     EXPECT_EQ(import_fractint({"f", two}, FractintFormat::ifs, "b").name, "B");
-    EXPECT_EQ(refusal_of("", FractintFormat::ifs).code, ExitCode::scene);
+    EXPECT_EQ(refusal_of("", FractintFormat::ifs).kind, ErrorKind::scene);
     EXPECT_EQ(refusal_of("; nothing", FractintFormat::l).text, "f: no entries");
 }
 
@@ -109,7 +109,7 @@ TEST(Import, a_file_that_is_not_there_is_a_file_error) {
     for (const char* name : {"none.ifs", "none.l", "none.png", "none.xy"}) {
         ImportRequest request;
         request.path = data + name;
-        EXPECT_EQ(refusal([&] { return import_file(request); }).code, ExitCode::file) << name;
+        EXPECT_EQ(refusal([&] { return import_file(request); }).kind, ErrorKind::file) << name;
     }
 }
 
@@ -127,7 +127,7 @@ TEST(Import, what_is_none_of_its_formats_is_told_them) {
         try {
             (void)import_file(request);
         } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ExitCode::scene);
+            EXPECT_EQ(error.kind(), ErrorKind::scene);
             return std::string(error.what());
         }
         return std::string("it was imported");
@@ -152,7 +152,7 @@ TEST(Import, what_cannot_be_bounded_is_refused) {
         (void)import_fractint({"far.ifs", far}, FractintFormat::ifs, {});
         FAIL() << "it was imported";
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::scene);
+        EXPECT_EQ(error.kind(), ErrorKind::scene);
         EXPECT_THAT(error.what(),
                     testing::HasSubstr("far.ifs:1:1: error: \"t\" has no view: its points lie so "
                                        "far from the origin that they could not be bounded"));
@@ -177,8 +177,8 @@ TEST(Import, any_bytes_end_in_a_scene_or_a_message) {
             try {
                 expect_readable(import_fractint({"f", text}, format, "t"));
             } catch (const Error& error) {
-                EXPECT_TRUE(error.code() == ExitCode::scene ||
-                            error.code() == ExitCode::command_line);
+                EXPECT_TRUE(error.kind() == ErrorKind::scene ||
+                            error.kind() == ErrorKind::setting);
             }
         }
     }

@@ -237,7 +237,7 @@ TEST(Link, a_program_that_does_not_fit_names_its_largest_parts) {
         require_fit(program, "964dX");
         FAIL() << "a heap of 9000 fits";
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::machine_limit);
+        EXPECT_EQ(error.kind(), ErrorKind::machine_limit);
         EXPECT_EQ(
             error.what(),
             fmt::format("the node program does not fit the fast memory of the 964dX: {} "
@@ -285,7 +285,7 @@ TEST(Link, only_the_machine_refuses_a_program_that_does_not_fit) {
         (void)render(scene.request(find_model("964dX")), {});
         FAIL() << "a heap of 9000 fits";
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::machine_limit);
+        EXPECT_EQ(error.kind(), ErrorKind::machine_limit);
         EXPECT_NE(std::string(error.what()).find("the heap's order 36000 bytes"),
                   std::string::npos);
     }

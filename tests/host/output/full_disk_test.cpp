@@ -46,7 +46,7 @@ std::string refusal(const std::string& path, const Frame& frame) {
     try {
         write_in_bands(path, frame);
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::file);
+        EXPECT_EQ(error.kind(), ErrorKind::file);
         return error.what();
     }
     return "";

@@ -154,7 +154,7 @@ TEST(Image, a_picture_that_cannot_be_written_leaves_nothing) {
         write_image(folder.path("a.ico"), wide, {}, {});
         FAIL() << "it was written";
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::file);
+        EXPECT_EQ(error.kind(), ErrorKind::file);
         EXPECT_NE(std::string(error.what()).find("cannot write " + folder.path("a.ico")),
                   std::string::npos);
         EXPECT_EQ(std::string(error.what()).find("part"), std::string::npos) << error.what();

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host/render/render.hpp"
-#include "host/wide/tables/wide_scene.hpp"
+#include "host/wide/tables/eligible.hpp"
 #include "host/wide/tile/wide_engine.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/known_view.hpp"

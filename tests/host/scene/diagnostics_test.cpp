@@ -82,7 +82,7 @@ TEST(Diagnostics, what_is_thrown_has_errors_and_warnings_in_order_and_the_scene_
         diagnostics.throw_if_errors({});
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::scene);
+        EXPECT_EQ(error.kind(), ErrorKind::scene);
         EXPECT_STREQ(error.what(), "warning: odd\nerror: wrong");
     }
     EXPECT_EQ(diagnostics.warnings_text({}), "warning: odd");

@@ -15,7 +15,7 @@ using Files = std::map<std::string, std::string>;
 inline host::FileReader reader_of(const Files& files) {
     return [files](const std::string& path) {
         const auto found = files.find(path);
-        if (found == files.end()) throw host::Error(host::ExitCode::file, path + ": no such file");
+        if (found == files.end()) throw host::Error(host::ErrorKind::file, path + ": no such file");
         return found->second;
     };
 }

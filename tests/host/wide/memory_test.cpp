@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host/wide/search/packet_search.hpp"
+#include "host/wide/tables/eligible.hpp"
 #include "host/wide/tile/wide_engine.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/render_text.hpp"

@@ -48,7 +48,7 @@ std::string refusal(FractintL l) {
         const EdgeSystem system = system_of(std::move(l));
         return "a system of " + std::to_string(system.kinds.size()) + " kinds";
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::scene);
+        EXPECT_EQ(error.kind(), ErrorKind::scene);
         return error.what();
     }
 }

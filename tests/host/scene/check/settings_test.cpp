@@ -41,7 +41,7 @@ class Set : public testing::Test {
             (void)with(orchard, set);
             ADD_FAILURE() << set.back() << " is taken";
         } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ExitCode::command_line);
+            EXPECT_EQ(error.kind(), ErrorKind::setting);
             EXPECT_EQ(error.what(), "--set " + set.back() + ": " + why);
         }
     }

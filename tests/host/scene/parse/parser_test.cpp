@@ -199,7 +199,7 @@ TEST(Parser, a_missing_include_is_a_scene_error_and_a_missing_scene_a_file_error
             (void)parse_scene(path, diagnostics);
             ADD_FAILURE() << path;
         } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ExitCode::file) << error.what();
+            EXPECT_EQ(error.kind(), ErrorKind::file) << error.what();
         }
     }
 }

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "host/wide/tables/wide_scene.hpp"
+#include "host/wide/tables/eligible.hpp"
 #include "host/wide/tile/wide_engine.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/example_scenes.hpp"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/wide/tables/wide_scene.hpp"
+#include "host/wide/tables/eligible.hpp"
 #include "tests/support/compile_text.hpp"
 
 namespace pxm::host::wide {
