@@ -83,7 +83,7 @@ double trial_cost(const CompiledShape& shape, std::uint32_t levels) {
     for (const glm::dvec3& direction : directions) {
         scene.camera = view_along(direction, rays_a_side);
         tests += static_cast<double>(
-            run_reference(scene, {nullptr, Numeric::twice, 1}, {}).rays.volumes_tested);
+            run_reference(scene, {nullptr, Numeric::double_, 1}, {}).rays.volumes_tested);
     }
     return tests * test_cost(shape) / (std::size(directions) * rays_a_side * rays_a_side);
 }
@@ -99,7 +99,7 @@ double mean_coverage(const CompiledShape& shape, std::size_t set,
             scene.camera = view_along(direction, static_cast<double>(scene.size.columns));
             scene.camera.pixel_at_eye = seen_in_volume;
             sum += static_cast<double>(
-                run_reference(scene, {nullptr, Numeric::twice, 1}, {}).rays.hits);
+                run_reference(scene, {nullptr, Numeric::double_, 1}, {}).rays.hits);
         }
         return sum;
     };

@@ -51,9 +51,8 @@ AllowedFolders::AllowedFolders(const std::string& scene_path,
     for (const std::string& folder : allowed) {
         const fs::path place = fs::canonical(folder, failed);
         if (failed || !fs::is_directory(place, failed))
-            throw Error(ErrorKind::setting,
-                        fmt::format("--allow: found \"{}\", expected a folder",
-                                    printable(folder, longest_folder)));
+            throw Error(ErrorKind::setting, fmt::format("--allow: found \"{}\", expected a folder",
+                                                        printable(folder, longest_folder)));
         folders_.push_back(start_of(place));
     }
 }

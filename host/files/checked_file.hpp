@@ -34,8 +34,8 @@ class CheckedFile {
 
     /// Throws Error(ErrorKind::file) if any write has failed so far.
     void require() const;
-    /// Writes what is collected. Throws Error(ErrorKind::file) unless all that was written is on the
-    /// disk, as far as the system can say so.
+    /// Writes what is collected. Throws Error(ErrorKind::file) unless all that was written is on
+    /// the disk, as far as the system can say so.
     void sync();
 
   private:

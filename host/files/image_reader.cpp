@@ -242,9 +242,10 @@ LoadedImage read_image(const std::string& path, const std::vector<std::string>& 
     const auto width = static_cast<std::size_t>(image.width);
     image.channels.clear();
     if (long{image.width} * image.height > 4 * kept_image.pixels / static_cast<long>(kept.size()))
-        throw Error(ErrorKind::file, fmt::format("cannot read {}: {} x {} pixels of {} channels are "
-                                                "more than pxm keeps",
-                                                path, image.width, image.height, kept.size()));
+        throw Error(ErrorKind::file,
+                    fmt::format("cannot read {}: {} x {} pixels of {} channels are "
+                                "more than pxm keeps",
+                                path, image.width, image.height, kept.size()));
     for (const std::size_t c : kept) image.channels.push_back(reader.header().channels[c]);
     image.values.reserve(width * static_cast<std::size_t>(image.height) * kept.size());
     for (int y = 0; y < image.height; ++y) {

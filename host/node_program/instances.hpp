@@ -27,7 +27,7 @@ auto with_instance(const CompiledScene& scene, Numeric numeric, const Run& run) 
         });
     };
     switch (numeric) {
-        case Numeric::twice:
+        case Numeric::double_:
             return with.template operator()<double>();
         case Numeric::dsp32:
             return with.template operator()<dsp32::Float>();

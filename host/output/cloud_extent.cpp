@@ -45,7 +45,7 @@ CoordinateNumber number_for(const std::vector<CloudExtent>& objects) {
     CloudExtent all;
     for (const CloudExtent& object : objects) all.add(object);
     const bool keep = floats_keep(all) && std::ranges::all_of(objects, floats_keep);
-    return keep ? CoordinateNumber::single : CoordinateNumber::twice;
+    return keep ? CoordinateNumber::single : CoordinateNumber::double_;
 }
 
 }  // namespace pxm::host

@@ -7,7 +7,7 @@
 namespace pxm::host {
 
 /// The numbers of coordinates in a file.
-enum class CoordinateNumber { single, twice };
+enum class CoordinateNumber { single, double_ };
 
 /// The box around points.
 class CloudExtent {

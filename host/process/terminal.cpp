@@ -17,7 +17,7 @@ namespace {
 
 [[noreturn]] void results_are_lost(int error) {
     throw Error(ErrorKind::file, std::string("cannot write to the standard output: ") +
-                                    (error == 0 ? "an earlier part was lost" : strerror(error)));
+                                     (error == 0 ? "an earlier part was lost" : strerror(error)));
 }
 
 }  // namespace

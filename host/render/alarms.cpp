@@ -37,7 +37,7 @@ Precision precision_of(Numeric numeric) {
             return {"dsp32", 0x1p-23, smallest_pixel_share<dsp32::Float>(), 0x1p9, 1e18};
         case Numeric::single:
             return {"float", 0x1p-24, smallest_pixel_share<float>(), 0x1p9, 1e18};
-        case Numeric::twice:
+        case Numeric::double_:
             break;
     }
     return {"double", 0x1p-53, smallest_pixel_share<double>(), 0x1p26, 1e150};

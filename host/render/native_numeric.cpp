@@ -13,7 +13,7 @@ Numeric native_numeric(const CompiledScene& scene) {
         });
     });
     if (!hulls || wide::why_not_wide(scene, Numeric::single).empty()) return Numeric::single;
-    return Numeric::twice;
+    return Numeric::double_;
 }
 
 }  // namespace pxm::host

@@ -113,7 +113,7 @@ RenderResult render(const RenderRequest& request, const RunControl& control, con
                               intersect.method};
     // The wide engine places cells in double; in float is only what tells a tile's rays apart.
     const Numeric places =
-        intersect.method == IntersectMethod::wide ? Numeric::twice : choice.numeric;
+        intersect.method == IntersectMethod::wide ? Numeric::double_ : choice.numeric;
     RenderResult result = begin_result(request, prepared, choice, program);
     result.statistics.intersect_because = intersect.because;
     PhaseClock load_clock;

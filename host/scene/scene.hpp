@@ -227,7 +227,7 @@ struct ImageBlock {
 
 enum class Shading { constant, low_pass, high_pass, facet };
 enum class IntersectMethod { automatic, heap, fast, wide };
-enum class Numeric { dsp32, single, twice };  // dsp32, float, double
+enum class Numeric { dsp32, single, double_ };  // dsp32, float, double
 enum class LipschitzMethod { automatic, product, determinant, polar };
 enum class VolumeKind { automatic, sphere, box, oriented, hull };
 /// Opacity bandwidth of local covers, in pixels (Ch. 18).

@@ -29,7 +29,7 @@ inline constexpr std::array<Word<IntersectMethod>, 4> intersect_words{
      {"fast", IntersectMethod::fast},
      {"wide", IntersectMethod::wide}}};
 inline constexpr std::array<Word<Numeric>, 3> numeric_words{
-    {{"dsp32", Numeric::dsp32}, {"float", Numeric::single}, {"double", Numeric::twice}}};
+    {{"dsp32", Numeric::dsp32}, {"float", Numeric::single}, {"double", Numeric::double_}}};
 inline constexpr std::array<Word<LipschitzMethod>, 4> lipschitz_words{
     {{"auto", LipschitzMethod::automatic},
      {"product", LipschitzMethod::product},

@@ -77,7 +77,7 @@ SceneOverrides color_reference() {
 
 SceneOverrides depth_reference() {
     SceneOverrides overrides;
-    overrides.numeric = Numeric::twice;
+    overrides.numeric = Numeric::double_;
     overrides.samples = 1;
     overrides.covers = CoversOff{};
     overrides.detail = 0.1;

@@ -31,7 +31,7 @@ struct NumberChoice {
 const NumberChoice choices[] = {{"dsp32", Numeric::dsp32, IntersectMethod::heap},
                                 {"float", Numeric::single, IntersectMethod::heap},
                                 {"wide", Numeric::single, IntersectMethod::automatic},
-                                {"double", Numeric::twice, IntersectMethod::heap}};
+                                {"double", Numeric::double_, IntersectMethod::heap}};
 
 RenderRequest request_for(const StabilityCase& one, const std::string& path,
                           const NumberChoice& choice, int threads) {
@@ -155,7 +155,7 @@ Json measure_case(const StabilityCase& one, const std::string& name, int threads
             const RenderResult picture =
                 render_unit(request_for(one, files.scene, choice, threads), control);
             result.update(compared(picture, *reference));
-            if (choice.numeric == Numeric::twice && !files.twin.empty())
+            if (choice.numeric == Numeric::double_ && !files.twin.empty())
                 result["twin_share"] = twin_share(one, files, picture, choice, threads, control);
         } catch (const Error& error) {
             result.update(refused(error));

@@ -69,8 +69,8 @@ class FastIntersection : public testing::TestWithParam<Example> {
 
 TEST_P(FastIntersection, in_double_is_the_oracles) {
     ASSERT_EQ(scene_.method, kernels::Method::fast);
-    const Frame frame = render_natively(scene_, Numeric::twice).frame;
-    const Verdict verdict = judge(scene_, frame, Numeric::twice);
+    const Frame frame = render_natively(scene_, Numeric::double_).frame;
+    const Verdict verdict = judge(scene_, frame, Numeric::double_);
     EXPECT_GT(verdict.hits, 0);
     EXPECT_GE(verdict.same_share(), 0.999) << verdict.report;
     EXPECT_EQ(verdict.admissible, verdict.pixels) << verdict.report;
@@ -93,18 +93,18 @@ TEST_P(FastIntersection, in_float_and_dsp32_is_admissible) {
 
 /// A ray for whose cells there is no room goes back to Alg. 12.4.
 TEST_P(FastIntersection, shows_the_same_cells_with_any_heap_and_on_the_machine) {
-    const Frame roomy = render_natively(scene_, Numeric::twice).frame;
+    const Frame roomy = render_natively(scene_, Numeric::double_).frame;
     CompiledScene narrow = scene_;
     for (const long heap : {1L, 5L, 256L}) {
         narrow.heap = heap;
-        const Frame frame = render_natively(narrow, Numeric::twice).frame;
-        const Frame machine = render_on("964", narrow, Numeric::twice).frame;
+        const Frame frame = render_natively(narrow, Numeric::double_).frame;
+        const Frame machine = render_on("964", narrow, Numeric::double_).frame;
         for (std::size_t i = 0; i < roomy.pixels.size(); ++i) {
             EXPECT_EQ(frame.pixels[i].z, machine.pixels[i].z);
             EXPECT_EQ(frame.pixels[i].word, machine.pixels[i].word);
             EXPECT_EQ(frame.pixels[i].alpha, roomy.pixels[i].alpha);
         }
-        EXPECT_GE(judge(narrow, frame, Numeric::twice).same_share(), 0.999) << heap;
+        EXPECT_GE(judge(narrow, frame, Numeric::double_).same_share(), 0.999) << heap;
     }
 }
 

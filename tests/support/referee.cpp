@@ -56,7 +56,7 @@ std::string text_of(const CompiledScene& scene, const TerminalCell& cell) {
 class Referee {
   public:
     Referee(const CompiledScene& scene, Numeric numeric)
-        : scene_(scene), oracle_(scene, numeric == Numeric::twice ? share_twice : share_single) {}
+        : scene_(scene), oracle_(scene, numeric == Numeric::double_ ? share_twice : share_single) {}
 
     void look_at(long x, long y, const PixelRecord& pixel) {
         const Sight ray = oracle_.sight(x, y);

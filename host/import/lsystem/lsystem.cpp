@@ -75,7 +75,7 @@ class SystemBuilder {
         count_ += kind.maps.size();
         if (count_ > maps_an_ifs)
             throw Error(ErrorKind::scene, fmt::format("L-system \"{}\" has more than {} maps",
-                                                     lsystem_.name, maps_an_ifs));
+                                                      lsystem_.name, maps_an_ifs));
         system_.kinds.push_back(std::move(kind));
     }
 

@@ -19,7 +19,7 @@ namespace {
 
 [[noreturn]] void refuse(const Setting& setting, const std::string& why) {
     throw Error(ErrorKind::setting, fmt::format("--set {}={}: {}", printable(setting.key, 100),
-                                                    printable(setting.value, 100), why));
+                                                printable(setting.value, 100), why));
 }
 
 bool is_let(const Setting& setting) { return setting.key.find('.') == std::string::npos; }

@@ -21,8 +21,8 @@ using LetNumber = std::function<double(const std::string& name, double written)>
 /// Parses the scene file at `path`. Syntax errors go to `diagnostics` (the parser goes on after
 /// each); scene.files is filled in either case. An include that cannot be found is a scene error at
 /// its place, and so is one, or the picture of a texture, that lies neither below the scene's
-/// folder nor below one of `allowed`. `let_number` may change the numbers of `let`s. A `text` stands
-/// for what the file holds, which is not read then.
+/// folder nor below one of `allowed`. `let_number` may change the numbers of `let`s. A `text`
+/// stands for what the file holds, which is not read then.
 [[nodiscard]] Scene parse_scene(const std::string& path, Diagnostics& diagnostics,
                                 const std::vector<std::string>& allowed = {},
                                 const LetNumber& let_number = nullptr,

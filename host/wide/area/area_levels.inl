@@ -41,12 +41,12 @@ HWY_INLINE void place_homotheties(D d, const WideScene& scene, BeamWorkspace& wo
     const HomothetyTable& table = scene.sets[static_cast<std::size_t>(parent.set)].children;
     const BeamReach& unit = work.reaches[static_cast<std::size_t>(parent.object)];
     const V outer = hn::Set(d, parent.size);
-    const Lanes3<V> q = load3(d, table.twice.row(0) + i, table.stride);
+    const Lanes3<V> q = load3(d, table.f64.row(0) + i, table.stride);
     const glm::dmat3& axes = object.from_unit.linear;
     const Lanes3x3<V> turn{
         {broadcast(d, &axes[0].x), broadcast(d, &axes[1].x), broadcast(d, &axes[2].x)}};
     const Lanes3<V> center = add_scaled(broadcast(d, &parent.center.x), outer, transform(q, turn));
-    const V size = hn::Mul(outer, hn::LoadU(d, table.twice.row(HomothetyTable::scale) + i));
+    const V size = hn::Mul(outer, hn::LoadU(d, table.f64.row(HomothetyTable::scale) + i));
     const auto reach = [&](double x) HWY_ATTR { return hn::Mul(size, hn::Set(d, x)); };
     double* rows = work.scratch.get() + i;
     V along = size;
@@ -91,10 +91,10 @@ inline void open_homotheties(const WideScene& scene, BeamWorkspace& work, int in
         child.pixels = pixels_between(rows, table.stride, lane) & wanted;
         if (child.pixels == 0) continue;
         child.center = {row(0, lane), row(1, lane), row(2, lane)};
-        child.size = parent.size * table.twice.row(HomothetyTable::scale)[lane];
+        child.size = parent.size * table.f64.row(HomothetyTable::scale)[lane];
         child.key = row(BeamRows::key, lane);
-        child.constant = parent.constant * table.twice.row(HomothetyTable::constant)[lane];
-        child.diameter = parent.constant * table.twice.row(HomothetyTable::diameter)[lane];
+        child.constant = parent.constant * table.f64.row(HomothetyTable::constant)[lane];
+        child.diameter = parent.constant * table.f64.row(HomothetyTable::diameter)[lane];
         child.set = table.sets[static_cast<std::size_t>(lane)];
         child.lane = lane;
         (void)push_cell(scene, work, child, table.stride, lane);
@@ -108,7 +108,7 @@ class ChildReach {
   public:
     HWY_INLINE ChildReach(D d, const WideSet& set, int i)
         : over_half_(load3(d, set.beams.row(BeamField::inverse_half) + i, set.stride)),
-          radius_(hn::Mul(hn::Set(d, 0.5), hn::LoadU(d, set.twice.row(ChildField::diameter) + i))),
+          radius_(hn::Mul(hn::Set(d, 0.5), hn::LoadU(d, set.f64.row(ChildField::diameter) + i))),
           box_(hn::LoadU(d, set.beams.row(BeamField::box) + i)) {}
     /// Given how far the half axes go.
     HWY_INLINE V of(D d, const Lanes3<V>& a) const {
@@ -128,10 +128,10 @@ class ChildReach {
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE V diameters_of_children(D d, const WideSet& set, const BeamCell& parent,
                                    const Lanes3x3<V>& axes, int i) {
-    const V diameter = hn::LoadU(d, set.twice.row(ChildField::diameter) + i);
+    const V diameter = hn::LoadU(d, set.f64.row(ChildField::diameter) + i);
     if (!set.polar) {
         return hn::Mul(diameter, hn::Mul(hn::Set(d, parent.constant),
-                                         hn::LoadU(d, set.twice.row(ChildField::constant) + i)));
+                                         hn::LoadU(d, set.f64.row(ChildField::constant) + i)));
     }
     // In floats, as shares of the parent's: this is the most that is computed of a child.
     const hn::Rebind<float, D> narrow;
@@ -210,7 +210,7 @@ inline void open_beam_cell(const WideScene& scene, BeamWorkspace& work, int inde
         if (child.pixels == 0) continue;
         child.center = {row(0, lane), row(1, lane), row(2, lane)};
         child.key = row(BeamRows::key, lane);
-        child.constant = parent.constant * set.twice.row(ChildField::constant)[lane];
+        child.constant = parent.constant * set.f64.row(ChildField::constant)[lane];
         child.diameter = row(BeamRows::diameter, lane);
         child.set = set.sets[static_cast<std::size_t>(lane)];
         child.lane = lane;
@@ -230,7 +230,7 @@ inline void push_beam_object(const WideScene& scene, BeamWorkspace& work, int in
     const WideObject& object = scene.objects[static_cast<std::size_t>(index)];
     const glm::dmat3& axes = object.from_unit.linear;
     BeamReach reach = reach_of(work.view, axes, !object.box);
-    if (object.fixed_direction) work.reaches[static_cast<std::size_t>(index)] = reach;
+    if (object.of_homotheties) work.reaches[static_cast<std::size_t>(index)] = reach;
     if (!object.box && !object.spheres) {  // seen as the ball around it
         glm::dmat3 around;
         for (int i = 0; i < 3; ++i) {
@@ -261,7 +261,7 @@ inline void push_beam_object(const WideScene& scene, BeamWorkspace& work, int in
     cell.object = index;
     cell.parent = -1;
     cell.axes = -1;
-    if (!object.fixed_direction) {
+    if (!object.of_homotheties) {
         cell.axes = static_cast<int>(work.axes.size());
         std::array<double, 9>& own = work.axes.emplace_back();
         for (std::size_t i = 0; i < 9; ++i) {

@@ -40,7 +40,7 @@ void search_beams(const WideScene& scene, BeamWorkspace& work) {
 }
 
 void see_sight(const WideScene& scene, BeamWorkspace& work, int cell, const LoneRay& ray,
-               SeenCell& seen) {
+               ShadedHit& seen) {
     HWY_DYNAMIC_DISPATCH(see_along)(scene, work, cell, ray, seen);
 }
 

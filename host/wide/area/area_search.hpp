@@ -133,7 +133,7 @@ struct GivenNormal {
 struct BeamWorkspace {
     TileView view;
     std::uint64_t open = 0;  // pixels with an open place
-    std::array<PixelBeam, static_cast<std::size_t>(bundle_rays)> pixels;
+    std::array<PixelBeam, static_cast<std::size_t>(packet_rays)> pixels;
     int places = 0;
     std::array<double, static_cast<std::size_t>(most_places)> place_x;  // from the first one, in
     std::array<double, static_cast<std::size_t>(most_places)> place_y;  // pixels
@@ -159,7 +159,7 @@ void search_beams(const WideScene& scene, BeamWorkspace& work);
 
 /// Looks at a cell along a ray.
 void see_sight(const WideScene& scene, BeamWorkspace& work, int cell, const LoneRay& ray,
-               SeenCell& seen);
+               ShadedHit& seen);
 
 /// The 24-bit hash of a cell's word, as host/engine/gather.hpp has it.
 [[nodiscard]] std::uint32_t beam_word(const WideScene& scene, const BeamWorkspace& work, int cell);

@@ -120,11 +120,11 @@ inline void give_enclosing(const WideScene& scene, BeamWorkspace& work, const Wi
                            const LoneRay& ray, const PathWeights& weights,
                            std::vector<GivenNormal>& given) {
     if (object.enclosing < 0) return;
-    RayBundle bundle;
-    gather_rays(bundle, std::span{&ray, 1});
-    find_enclosing(scene, object, bundle, 0, work.enclosing);
+    RayPacket packet;
+    gather_rays(packet, std::span{&ray, 1});
+    find_enclosing(scene, object, packet, 0, work.enclosing);
     for (const EnclosingNormal& cell : work.enclosing) {
-        given.push_back({to_scene(bundle, cell.normal), cell.depth, weights.of(cell.diameter)});
+        given.push_back({to_scene(packet, cell.normal), cell.depth, weights.of(cell.diameter)});
     }
 }
 
@@ -171,7 +171,7 @@ inline float facing_lamp(const std::vector<GivenNormal>& given, const LoneRay& r
 }
 
 inline void see_along(const WideScene& scene, BeamWorkspace& work, int index, const LoneRay& ray,
-                      SeenCell& seen) {
+                      ShadedHit& seen) {
     put_sight_path(scene, work, index);
     const BeamCell& cell = work.cells[static_cast<std::size_t>(index)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];

@@ -63,7 +63,7 @@ HWY_NOINLINE void turn_shadow(const WideScene& scene, const BeamWorkspace& work,
     };
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
     glm::dmat3 axes = object.from_unit.linear * cell.size;
-    for (int i = 0; i < 9 && !object.fixed_direction && cell.parent >= 0; ++i) {
+    for (int i = 0; i < 9 && !object.of_homotheties && cell.parent >= 0; ++i) {
         axes[i / 3][i % 3] = at(BeamRows::axes + i);
     }
     const Lanes3x3<V> lanes{

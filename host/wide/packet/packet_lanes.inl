@@ -16,15 +16,15 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Fills in the lanes of a tile's rays.
-inline void spread_rays(RayBundle& bundle) {
+inline void spread_rays(RayPacket& packet) {
     const hn::CappedTag<double, tile_side> d;
     const hn::Rebind<float, decltype(d)> narrow;
     using V = hn::VFromD<decltype(d)>;
-    if (bundle.is_spread) return;
-    bundle.is_spread = true;
-    const auto& fan = bundle.fan;
+    if (packet.is_spread) return;
+    packet.is_spread = true;
+    const auto& fan = packet.fan;
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
-    for (int ray = 0; ray < bundle_rays; ray += static_cast<int>(hn::Lanes(d))) {
+    for (int ray = 0; ray < packet_rays; ray += static_cast<int>(hn::Lanes(d))) {
         const auto put = [&](V v, float* lanes)
                              HWY_ATTR { hn::StoreU(hn::DemoteTo(narrow, v), narrow, lanes + ray); };
         const V column = hn::Iota(d, ray % tile_side);
@@ -36,22 +36,22 @@ inline void spread_rays(RayBundle& bundle) {
         };
         V u = on_plane(0), v = on_plane(1);
         V stretch2 = one;
-        if (bundle.perspective) {
+        if (packet.perspective) {
             const V z = on_plane(2);
             u = hn::Div(u, z);
             v = hn::Div(v, z);
             stretch2 = hn::Add(one, hn::Add(hn::Mul(u, u), hn::Mul(v, v)));
         }
         const V length = hn::Sqrt(stretch2);
-        put(bundle.perspective ? zero : u, bundle.u0);
-        put(bundle.perspective ? zero : v, bundle.v0);
-        put(bundle.perspective ? u : zero, bundle.u1);
-        put(bundle.perspective ? v : zero, bundle.v1);
-        put(length, bundle.stretch);
-        put(hn::Div(one, stretch2), bundle.shrink2);
-        put(zero, bundle.start);
-        put(hn::Set(d, bundle.pixel_at_origin), bundle.pixel0);
-        put(hn::Mul(hn::Set(d, bundle.pixel_growth), length), bundle.pixel1);
+        put(packet.perspective ? zero : u, packet.u0);
+        put(packet.perspective ? zero : v, packet.v0);
+        put(packet.perspective ? u : zero, packet.u1);
+        put(packet.perspective ? v : zero, packet.v1);
+        put(length, packet.stretch);
+        put(hn::Div(one, stretch2), packet.shrink2);
+        put(zero, packet.start);
+        put(hn::Set(d, packet.pixel_at_origin), packet.pixel0);
+        put(hn::Mul(hn::Set(d, packet.pixel_growth), length), packet.pixel1);
     }
 }
 

@@ -16,13 +16,13 @@
 
 namespace pxm::host::wide {
 
-inline constexpr int bundle_rays = tile_side * tile_side;
+inline constexpr int packet_rays = tile_side * tile_side;
 
 /// Which view (host/wide/tables/candidate_views.hpp) the rays are seen in: one of their own, or
 /// one that they share with others.
-struct AspectOf {
-    enum class Kind { bundle, eye, light };
-    Kind kind = Kind::bundle;
+struct CandidateViewOf {
+    enum class Kind { packet, eye, light };
+    Kind kind = Kind::packet;
     long column = 0;  // of a tile's first pixel, or the light's number
     long row = 0;
 };
@@ -30,7 +30,7 @@ struct AspectOf {
 /// The points origin + (u0 + u1 z, v0 + v1 z, z) of the packet's frame; the length along a ray is
 /// stretch * z and more or less something. Lanes hold something only once the rays are spread
 /// (host/wide/packet/packet_lanes.inl); most tiles see nothing and never need them.
-struct RayBundle {
+struct RayPacket {
     glm::dvec3 origin{0.0};  // scene units
     glm::dvec3 axis[3];      // U, V, W: unit vectors in scene units, perpendicular
     double reach_u0 = 0;     // |u0| of all rays is at most so much, and so on
@@ -42,19 +42,19 @@ struct RayBundle {
     double most_at_origin = 0;  // and at most most_at_origin + most_growth z
     double most_growth = 0;
     std::uint64_t inside = 0;  // rays that are still wanted; of a tile, bit 8 * row + column
-    AspectOf aspect;
+    CandidateViewOf candidate_view;
     bool any_hit = false;  // whether a ray meets something is all that is asked
 
-    alignas(64) float u0[bundle_rays];
-    alignas(64) float u1[bundle_rays];
-    alignas(64) float v0[bundle_rays];
-    alignas(64) float v1[bundle_rays];
-    alignas(64) float stretch[bundle_rays];
-    alignas(64) float shrink2[bundle_rays];  // 1 / stretch^2
-    alignas(64) float start[bundle_rays];    // the depth at which a ray begins, not below 0
-    alignas(64) float pixel0[bundle_rays];   // p at depth z is pixel0 + pixel1 z
-    alignas(64) float pixel1[bundle_rays];
-    std::array<double, bundle_rays> end;  // what is at this depth or beyond is not looked for
+    alignas(64) float u0[packet_rays];
+    alignas(64) float u1[packet_rays];
+    alignas(64) float v0[packet_rays];
+    alignas(64) float v1[packet_rays];
+    alignas(64) float stretch[packet_rays];
+    alignas(64) float shrink2[packet_rays];  // 1 / stretch^2
+    alignas(64) float start[packet_rays];    // the depth at which a ray begins, not below 0
+    alignas(64) float pixel0[packet_rays];   // p at depth z is pixel0 + pixel1 z
+    alignas(64) float pixel1[packet_rays];
+    std::array<double, packet_rays> end;  // what is at this depth or beyond is not looked for
 
     struct Fan {  // points of the picture's plane in the packet's frame, from the eye
         glm::dvec3 first, per_column, per_row;
@@ -65,7 +65,7 @@ struct RayBundle {
 
 /// The eye rays of the tile whose first pixel is (left, top), through `place` in the unit square of
 /// each pixel; `window` says which pixels are wanted. Not spread yet.
-void aim_at_tile(RayBundle& bundle, const CompiledCamera& camera, const CropWindow& window,
+void aim_at_tile(RayPacket& packet, const CompiledCamera& camera, const CropWindow& window,
                  long left, long top, const glm::dvec2& place);
 
 /// A ray on its own, in scene units.
@@ -81,8 +81,8 @@ struct LoneRay {
 /// Whether two rays go so much the same way that they may be in one packet with the first.
 [[nodiscard]] bool go_together(const LoneRay& a, const LoneRay& b);
 
-/// The packet of at most bundle_rays rays, each in the lane of its number.
+/// The packet of at most packet_rays rays, each in the lane of its number.
 /// Precondition: all go together with the first.
-void gather_rays(RayBundle& bundle, std::span<const LoneRay> rays);
+void gather_rays(RayPacket& packet, std::span<const LoneRay> rays);
 
 }  // namespace pxm::host::wide

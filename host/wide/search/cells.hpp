@@ -29,7 +29,7 @@ struct SharedCell {
 
 /// A shared cell of homotheties: its centre and its size. For balls in the packet's frame and scene
 /// units, z along the axis; for boxes in the unit coordinates of the object.
-struct FixedCell {
+struct HomothetyCell {
     std::array<double, 3> center;
     double size;
     double near;
@@ -47,7 +47,7 @@ struct FixedCell {
 /// What the shared cells of an object of boxes have in common, as seen from the packet. Along each
 /// axis k a ray is at eye[k] + z w[k], more or less spread0[k] + z spread1[k]; kept of the paces
 /// are 1 / (w - spread1) and 1 / (-w - spread1).
-struct BoxBeam {
+struct BoxFrustum {
     std::array<double, 3> eye, spread0, high_pace, low_pace;
 };
 

@@ -26,14 +26,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// The rays of the packet beside the centre of an entry cell that is a ball, in units of its
 /// radius. Depths in the packet's frame are (z + behind) / pace, with z in the view's.
 struct BallRays {
-    alignas(64) float x[bundle_rays];  // at the centre's depth in the view's frame
-    alignas(64) float y[bundle_rays];
-    alignas(64) float behind[bundle_rays];
-    alignas(64) float key[bundle_rays];  // in the packet's frame
+    alignas(64) float x[packet_rays];  // at the centre's depth in the view's frame
+    alignas(64) float y[packet_rays];
+    alignas(64) float behind[packet_rays];
+    alignas(64) float key[packet_rays];  // in the packet's frame
 };
 
-inline std::uint64_t meet_ball(const RayBundle& bundle, const AspectRays& aspect,
-                               const FixedCell& cell, const HullShadow& shadow,
+inline std::uint64_t meet_ball(const RayPacket& packet, const CandidateViewRays& candidate_view,
+                               const HomothetyCell& cell, const SilhouetteCull& shadow,
                                const ShadowRoom& room, BallRays& rays) {
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
@@ -42,56 +42,58 @@ inline std::uint64_t meet_ball(const RayBundle& bundle, const AspectRays& aspect
     const V far = over(cell.center[2]), near = over(1);
     const double most =
         std::max(room.pixel0 + room.pixel1 * (cell.center[2] + cell.size), room.least);
-    const V margin = over(most + cell.size * (bundle.reach_u1 + bundle.reach_v1));
+    const V margin = over(most + cell.size * (packet.reach_u1 + packet.reach_v1));
     std::uint64_t met = 0;
-    for (int i = 0; i < bundle_rays; i += static_cast<int>(hn::Lanes(d))) {
-        const V a = hn::LoadU(d, bundle.u1 + i), b = hn::LoadU(d, bundle.v1 + i);
-        const V u = hn::Add(hn::Mul(hn::LoadU(d, bundle.u0 + i), near), hn::Mul(a, far));
-        const V v = hn::Add(hn::Mul(hn::LoadU(d, bundle.v0 + i), near), hn::Mul(b, far));
+    for (int i = 0; i < packet_rays; i += static_cast<int>(hn::Lanes(d))) {
+        const V a = hn::LoadU(d, packet.u1 + i), b = hn::LoadU(d, packet.v1 + i);
+        const V u = hn::Add(hn::Mul(hn::LoadU(d, packet.u0 + i), near), hn::Mul(a, far));
+        const V v = hn::Add(hn::Mul(hn::LoadU(d, packet.v0 + i), near), hn::Mul(b, far));
         const V x = hn::Sub(center_x, u);
         const V y = hn::Sub(center_y, v);
-        const V shrink = hn::LoadU(d, bundle.shrink2 + i);
+        const V shrink = hn::LoadU(d, packet.shrink2 + i);
         const BallPass<V> pass(x, y, hn::Set(d, 1.0F), a, b, shrink);
         const V half = pass.half(shrink);
-        const V start = hn::Sub(hn::Mul(hn::LoadU(d, bundle.start + i), near), far);
+        const V start = hn::Sub(hn::Mul(hn::LoadU(d, packet.start + i), near), far);
         const V key = hn::Max(hn::Sub(pass.ahead, half), start);
         const auto turned = [&](int axis) HWY_ATTR {
-            return hn::Add(hn::Mul(x, hn::Set(d, aspect.turn[0][axis])),
-                           hn::Mul(y, hn::Set(d, aspect.turn[1][axis])));
+            return hn::Add(hn::Mul(x, hn::Set(d, candidate_view.turn[0][axis])),
+                           hn::Mul(y, hn::Set(d, candidate_view.turn[1][axis])));
         };
         const V behind = turned(2);
-        hn::StoreU(hn::Sub(turned(0), hn::Mul(hn::LoadU(d, aspect.a + i), behind)), d, rays.x + i);
-        hn::StoreU(hn::Sub(turned(1), hn::Mul(hn::LoadU(d, aspect.b + i), behind)), d, rays.y + i);
+        hn::StoreU(hn::Sub(turned(0), hn::Mul(hn::LoadU(d, candidate_view.a + i), behind)), d,
+                   rays.x + i);
+        hn::StoreU(hn::Sub(turned(1), hn::Mul(hn::LoadU(d, candidate_view.b + i), behind)), d,
+                   rays.y + i);
         hn::StoreU(behind, d, rays.behind + i);
         hn::StoreU(key, d, rays.key + i);
         auto here = hn::Le(start, hn::Add(pass.ahead, half));  // not NaN
-        here = in_shadow(d, shadow, x, y, hn::Set(d, 1.0F), margin, here);
+        here = in_silhouette(d, shadow, x, y, hn::Set(d, 1.0F), margin, here);
         met |= lane_bits(d, here) << i;
     }
-    return met & bundle.inside;
+    return met & packet.inside;
 }
 
 /// In shared views, where lists leave out what a ray cannot meet and the frame is not the
 /// packet's.
-inline constexpr HullShadow no_shadow{};
+inline constexpr SilhouetteCull no_shadow{};
 
 /// The rays of the packet in the frame of their view.
-inline void spread_in_aspect(const WideScene& scene, SearchWorkspace& work) {
+inline void spread_in_candidate_view(const WideScene& scene, SearchWorkspace& work) {
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
-    AspectRays& rays = work.aspect_rays;
-    if (rays.made_for == work.bundle_number) return;
-    rays.made_for = work.bundle_number;
-    rays.aspect = &aspect_of(scene, work.bundle, work.aspects);
-    const RayBundle& bundle = work.bundle;
+    CandidateViewRays& rays = work.candidate_view_rays;
+    if (rays.made_for == work.packet_number) return;
+    rays.made_for = work.packet_number;
+    rays.candidate_view = &candidate_view_of(scene, work.packet, work.candidate_views);
+    const RayPacket& packet = work.packet;
     for (int i = 0; i < 3; ++i) {
         for (int axis = 0; axis < 3; ++axis) {
             rays.turn[i][axis] =
-                static_cast<float>(glm::dot(bundle.axis[i], rays.aspect->view.axis[axis]));
+                static_cast<float>(glm::dot(packet.axis[i], rays.candidate_view->view.axis[axis]));
         }
     }
-    for (int i = 0; i < bundle_rays; i += static_cast<int>(hn::Lanes(d))) {
-        const V u = hn::LoadU(d, bundle.u1 + i), v = hn::LoadU(d, bundle.v1 + i);
+    for (int i = 0; i < packet_rays; i += static_cast<int>(hn::Lanes(d))) {
+        const V u = hn::LoadU(d, packet.u1 + i), v = hn::LoadU(d, packet.v1 + i);
         const auto along = [&](int axis) HWY_ATTR {
             return hn::Add(hn::Add(hn::Mul(u, hn::Set(d, rays.turn[0][axis])),
                                    hn::Mul(v, hn::Set(d, rays.turn[1][axis]))),
@@ -110,14 +112,15 @@ inline void spread_in_aspect(const WideScene& scene, SearchWorkspace& work) {
 /// The list that decides for all rays of a packet what they find in an entry cell: its cells are
 /// terminal, and none before them is, wherever in the cell. Null if there is none.
 inline const HomothetyTable* deciding_table(const WideScene& scene, const SearchWorkspace& work,
-                                            const StartBelow& start) {
-    const FixedCell& cell = start.cell;
+                                            const EntryBelow& start) {
+    const HomothetyCell& cell = start.cell;
     const WideSet& set = scene.sets[static_cast<std::size_t>(cell.set)];
-    if (set.composed.empty() || !work.aspect_rays.aspect->view.shared) return nullptr;
-    const ShadowRoom room(scene, work.bundle, start.object);
+    if (set.composed.empty() || !work.candidate_view_rays.candidate_view->view.shared)
+        return nullptr;
+    const ShadowRoom room(scene, work.packet, start.object);
     const double far = cell.center[2] + 1.5 * cell.size, near = cell.center[2] - 1.5 * cell.size;
     const double most = std::max(room.least, room.pixel0 + room.pixel1 * far);
-    const double least = pixel_at(scene, work.bundle, cell.object, std::max(near, 0.0));
+    const double least = pixel_at(scene, work.packet, cell.object, std::max(near, 0.0));
     for (const HomothetyTable& table : set.composed) {
         if (cell.constant * table.most_diameter > least) continue;
         const bool leaves_none_out = most < cell.constant * table.least_skipped;
@@ -174,22 +177,22 @@ HWY_INLINE std::int32_t nearest_cell(BallRay& ray, float x, float y, const Liste
 /// An entry cell that is a ball, and the rays that look for something inside.
 class BallVisit {
   public:
-    BallVisit(const WideScene& scene, SearchWorkspace& work, const FixedCell& cell)
+    BallVisit(const WideScene& scene, SearchWorkspace& work, const HomothetyCell& cell)
         : scene_(scene),
           work_(work),
-          seen_(work.aspect_rays),
+          seen_(work.candidate_view_rays),
           start_(scene, cell, cell.center[2], cell.size),
-          shadow_(work.shadows[static_cast<std::size_t>(cell.object)]),
+          shadow_(work.silhouette_culls[static_cast<std::size_t>(cell.object)]),
           diameter_(static_cast<float>(cell.diameter)) {}
 
     void visit(int index) {
-        const ShadowRoom room(scene_, work_.bundle, start_.object);
-        const std::uint64_t met = meet_ball(work_.bundle, seen_, start_.cell, shadow_, room, rays_);
+        const ShadowRoom room(scene_, work_.packet, start_.object);
+        const std::uint64_t met = meet_ball(work_.packet, seen_, start_.cell, shadow_, room, rays_);
         if (met == 0) return;
         const HomothetyTable* table = deciding_table(scene_, work_, start_);
         if (table != nullptr) {
-            const AspectTable& lists =
-                seen_.aspect->table(scene_, start_.cell.object, start_.cell.set, *table);
+            const CandidateLists& lists =
+                seen_.candidate_view->table(scene_, start_.cell.object, start_.cell.set, *table);
             follow_rays(work_, start_, index, met, rays_.key,
                         [&](int i, float best, float& depth, Found& found)
                             HWY_ATTR { return look_up(i, best, *table, lists, depth, found); });
@@ -202,7 +205,7 @@ class BallVisit {
     }
 
   private:
-    [[nodiscard]] HWY_INLINE BallRay in_aspect(FixedRay ray, int i) const {
+    [[nodiscard]] HWY_INLINE BallRay in_candidate_view(HomothetyRay ray, int i) const {
         const float pace = seen_.pace[i], behind = rays_.behind[i];
         ray.best = ray.best * pace - behind;
         ray.start = ray.start * pace - behind;
@@ -214,45 +217,46 @@ class BallVisit {
                 seen_.b[i],
                 seen_.shrink2[i],
                 per_length,
-                seen_.aspect->view.shared ? &no_shadow : &shadow_,
+                seen_.candidate_view->view.shared ? &no_shadow : &shadow_,
                 &scene_,
-                seen_.aspect,
+                seen_.candidate_view,
                 start_.cell.object};
     }
-    [[nodiscard]] HWY_INLINE float from_aspect(float depth, int i) const {
+    [[nodiscard]] HWY_INLINE float from_candidate_view(float depth, int i) const {
         return (depth + rays_.behind[i]) / seen_.pace[i];
     }
     /// A ray that finds what it looks for in one list.
     HWY_INLINE bool look_up(int i, float best, const HomothetyTable& table,
-                            const AspectTable& lists, float& depth, Found& found) const {
-        BallRay ray = in_aspect(ray_below(scene_, work_, start_, i, best), i);
+                            const CandidateLists& lists, float& depth, Found& found) const {
+        BallRay ray = in_candidate_view(ray_below(scene_, work_, start_, i, best), i);
         const float x = rays_.x[i], y = rays_.y[i];
         const std::int32_t lane = nearest_cell(ray, x, y, lists.at(table, -x, -y), found);
         if (lane < 0) return false;
         found.below_count = table.steps;
         const auto& lanes = table.lanes[static_cast<std::size_t>(lane)];
         std::copy_n(lanes.begin(), lanes.size(), found.below.begin());
-        depth = from_aspect(ray.found, i);
+        depth = from_candidate_view(ray.found, i);
         return true;
     }
     /// A ray that goes down level by level.
     HWY_INLINE bool follow(int i, float best, float& depth, Found& found) {
-        const FixedRay fixed = ray_below(scene_, work_, start_, i, best);
+        const HomothetyRay fixed = ray_below(scene_, work_, start_, i, best);
         if (start_.last || diameter_ <= fixed.pixel(depth)) {
             found.below_count = 0;
             return true;
         }
-        BallRay ray = in_aspect(fixed, i);
-        if (!follow_fixed(scene_, work_, ray, {rays_.x[i], rays_.y[i], 0, 1}, found)) return false;
-        depth = from_aspect(ray.found, i);
+        BallRay ray = in_candidate_view(fixed, i);
+        if (!follow_homotheties(scene_, work_, ray, {rays_.x[i], rays_.y[i], 0, 1}, found))
+            return false;
+        depth = from_candidate_view(ray.found, i);
         return true;
     }
 
     const WideScene& scene_;
     SearchWorkspace& work_;
-    const AspectRays& seen_;
-    const StartBelow start_;
-    const HullShadow& shadow_;
+    const CandidateViewRays& seen_;
+    const EntryBelow start_;
+    const SilhouetteCull& shadow_;
     float diameter_;
     BallRays rays_;
 };

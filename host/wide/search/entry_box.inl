@@ -20,7 +20,7 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Where a ray passes the planes through a box's centre, and its pace across each.
-HWY_INLINE PlaceBelow place_in_box(const StartRays& rays, int ray, BoxRay& box) {
+HWY_INLINE PlaceBelow place_in_box(const EntryRays& rays, int ray, BoxRay& box) {
     float at[3];
     for (int k = 0; k < 3; ++k) {
         const float s = rays.direction[k][ray];
@@ -31,15 +31,15 @@ HWY_INLINE PlaceBelow place_in_box(const StartRays& rays, int ray, BoxRay& box) 
     return {at[0], at[1], at[2], 1};
 }
 
-inline void visit_box(const WideScene& scene, SearchWorkspace& work, const FixedCell& cell,
+inline void visit_box(const WideScene& scene, SearchWorkspace& work, const HomothetyCell& cell,
                       int index) {
     SharedCell box;
     box.spheres = false;
-    StartRays& rays = work.start;
+    EntryRays& rays = work.start;
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    rows_of(object, work.bundle, cell, box.rows, box.base);
-    const StartBelow start(scene, cell, box.base, 1);
-    const std::uint64_t met = meet_start_cell(work, box, rays);
+    rows_of(object, work.packet, cell, box.rows, box.base);
+    const EntryBelow start(scene, cell, box.base, 1);
+    const std::uint64_t met = meet_entry_cell(work, box, rays);
     fill_first(start, work.opened[0]);
     const auto diameter = static_cast<float>(cell.diameter);
     const auto follow = [&](int i, float best, float& depth, Found& found) HWY_ATTR {
@@ -56,7 +56,7 @@ inline void visit_box(const WideScene& scene, SearchWorkspace& work, const Fixed
             return ray.parallel ? walk.follow<true>(cell, center, rays.key[i], left, found, depth)
                                 : walk.follow<false>(cell, center, rays.key[i], left, found, depth);
         }
-        if (!follow_fixed(scene, work, ray, at, found)) return false;
+        if (!follow_homotheties(scene, work, ray, at, found)) return false;
         depth = ray.found;
         return true;
     };

@@ -24,7 +24,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 inline void begin_looking(SearchWorkspace& work) {
     if (work.looking) return;
     work.looking = true;
-    spread_rays(work.bundle);
+    spread_rays(work.packet);
     work.clear_found();
 }
 
@@ -38,16 +38,16 @@ inline void leave_ray(SearchWorkspace& work, int ray) {
 }
 
 /// How the rays of a packet move in a cell.
-struct BundlePace {
+struct PacketPace {
     float touching;  // of depth, that rounding may part boxes by that touch in an edge
     bool parallel;   // a ray may hardly move along an axis, and lie in faces across it
 
-    BundlePace(const RayBundle& bundle, const SharedCell& cell, double rounding) {
+    PacketPace(const RayPacket& packet, const SharedCell& cell, double rounding) {
         double fastest = 0, slowest = beyond;
         for (std::size_t k = 0; k < 3; ++k) {
             const double along = std::abs(cell.rows[6 + k]);
-            const double spread = std::abs(cell.rows[k]) * bundle.reach_u1 +
-                                  std::abs(cell.rows[3 + k]) * bundle.reach_v1;
+            const double spread = std::abs(cell.rows[k]) * packet.reach_u1 +
+                                  std::abs(cell.rows[3 + k]) * packet.reach_v1;
             fastest = std::max(fastest, along + spread);
             slowest = std::min(slowest, along - spread);
         }
@@ -58,12 +58,12 @@ struct BundlePace {
 
 /// The rays in the cell's unit coordinates; returns those that meet it, a bit each. Rays in its
 /// faces are left to the reference kernels.
-inline std::uint64_t meet_start_cell(SearchWorkspace& work, const SharedCell& cell,
-                                     StartRays& rays) {
+inline std::uint64_t meet_entry_cell(SearchWorkspace& work, const SharedCell& cell,
+                                     EntryRays& rays) {
     constexpr float rounding = 0x1p-18F;  // of the cell's half width: where a ray is
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
-    const RayBundle& bundle = work.bundle;
+    const RayPacket& packet = work.packet;
     const auto row = [&](std::size_t i) HWY_ATTR {
         return Lanes3<V>{hn::Set(d, static_cast<float>(cell.rows[3 * i])),
                          hn::Set(d, static_cast<float>(cell.rows[3 * i + 1])),
@@ -72,19 +72,19 @@ inline std::uint64_t meet_start_cell(SearchWorkspace& work, const SharedCell& ce
     const Lanes3<V> u_axis = row(0), v_axis = row(1), w_axis = row(2), middle = row(3);
     const V base = hn::Set(d, static_cast<float>(cell.base));
     const V room = hn::Set(d, rounding);
-    const BundlePace pace(bundle, cell, static_cast<double>(rounding));
+    const PacketPace pace(packet, cell, static_cast<double>(rounding));
     const V touching = hn::Set(d, cell.spheres ? 0.0F : pace.touching);
     std::uint64_t met = 0, in_face = 0;
-    for (int i = 0; i < bundle_rays; i += static_cast<int>(hn::Lanes(d))) {
-        const V u1 = hn::LoadU(d, bundle.u1 + i), v1 = hn::LoadU(d, bundle.v1 + i);
-        const V u = hn::Add(hn::LoadU(d, bundle.u0 + i), hn::Mul(u1, base));
-        const V v = hn::Add(hn::LoadU(d, bundle.v0 + i), hn::Mul(v1, base));
+    for (int i = 0; i < packet_rays; i += static_cast<int>(hn::Lanes(d))) {
+        const V u1 = hn::LoadU(d, packet.u1 + i), v1 = hn::LoadU(d, packet.v1 + i);
+        const V u = hn::Add(hn::LoadU(d, packet.u0 + i), hn::Mul(u1, base));
+        const V v = hn::Add(hn::LoadU(d, packet.v0 + i), hn::Mul(v1, base));
         const Lanes3<V> o = add_scaled(add_scaled(middle, u, u_axis), v, v_axis);
         const Lanes3<V> s = add_scaled(add_scaled(w_axis, u1, u_axis), v1, v_axis);
         const LaneInterval<V> inside = cell.spheres ? in_unit_ball(d, o, s) : in_unit_cube(d, o, s);
-        const V key = hn::Max(inside.key, hn::Sub(hn::LoadU(d, bundle.start + i), base));
-        store3(o, d, rays.origin[0] + i, bundle_rays);
-        store3(s, d, rays.direction[0] + i, bundle_rays);
+        const V key = hn::Max(inside.key, hn::Sub(hn::LoadU(d, packet.start + i), base));
+        store3(o, d, rays.origin[0] + i, packet_rays);
+        store3(s, d, rays.direction[0] + i, packet_rays);
         hn::StoreU(key, d, rays.key + i);
         hn::StoreU(inside.exit, d, rays.exit + i);
         const V exit = hn::Add(inside.exit, touching);
@@ -94,10 +94,10 @@ inline std::uint64_t meet_start_cell(SearchWorkspace& work, const SharedCell& ce
         }
         met |= lane_bits(d, here) << i;
     }
-    for (std::uint64_t rest = in_face & bundle.inside; rest != 0; rest &= rest - 1) {
+    for (std::uint64_t rest = in_face & packet.inside; rest != 0; rest &= rest - 1) {
         leave_ray(work, std::countr_zero(rest));
     }
-    return met & bundle.inside & ~in_face;
+    return met & packet.inside & ~in_face;
 }
 
 /// A ray has found a cell below an entry cell, at that depth.
@@ -105,18 +105,18 @@ inline void note_found(SearchWorkspace& work, int ray, int start, double depth) 
     const auto at = static_cast<std::size_t>(ray);
     work.found[at].start = start;
     work.found[at].depth = depth;
-    work.best[at] = work.bundle.any_hit ? -beyond : depth;
-    if (work.bundle.any_hit) work.bundle.inside &= ~(std::uint64_t{1} << ray);
+    work.best[at] = work.packet.any_hit ? -beyond : depth;
+    if (work.packet.any_hit) work.packet.inside &= ~(std::uint64_t{1} << ray);
     work.improved = true;
 }
 
 /// Gives an entry cell to the rays of the packet that meet it.
-inline void visit_start_cell(const WideScene& scene, SearchWorkspace& work, int index) {
+inline void visit_entry_cell(const WideScene& scene, SearchWorkspace& work, int index) {
     begin_looking(work);
     const SharedCell cell = work.cells[static_cast<std::size_t>(index)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    StartRays& rays = work.start;
-    std::uint64_t met = meet_start_cell(work, cell, rays);
+    EntryRays& rays = work.start;
+    std::uint64_t met = meet_entry_cell(work, cell, rays);
     if (met == 0) return;
     alignas(64) float map[12 * table_step] = {};  // the identity, as a block of one lane
     for (const int i : {0, 4, 8}) map[i * table_step] = 1;
@@ -133,8 +133,8 @@ inline void visit_start_cell(const WideScene& scene, SearchWorkspace& work, int 
         ++work.found[at].tested;
         const double key = cell.base + static_cast<double>(rays.key[i]);
         if (!(key < work.best[at])) continue;
-        const auto pixel0 = static_cast<double>(work.bundle.pixel0[i]);
-        const auto growth = static_cast<double>(work.bundle.pixel1[i]);
+        const auto pixel0 = static_cast<double>(work.packet.pixel0[i]);
+        const auto growth = static_cast<double>(work.packet.pixel1[i]);
         const double p = pixel0 + growth * key;
         const bool last = cell.level == object.levels;
         if (last || cell.diameter <= scene.detail * std::max(p, object.smallest_pixel)) {
@@ -142,7 +142,7 @@ inline void visit_start_cell(const WideScene& scene, SearchWorkspace& work, int 
             note_found(work, i, index, key);
             continue;
         }
-        RayInStart ray;
+        RayInEntry ray;
         for (int k = 0; k < 3; ++k) {
             ray.origin[k] = rays.origin[k][i];
             ray.direction[k] = rays.direction[k][i];

@@ -39,8 +39,8 @@ class GridWalk {
     /// terminal cell that is nearer than the ray's best. True, and `found` and `depth` changed, if
     /// there is one. `parallel`: the ray may lie in faces.
     template <bool parallel>
-    bool follow(const FixedCell& start, const float* center, float entry, std::uint32_t levels_left,
-                Found& found, float& depth) {
+    bool follow(const HomothetyCell& start, const float* center, float entry,
+                std::uint32_t levels_left, Found& found, float& depth) {
         enter(start.set, center, ray_.pace, static_cast<float>(start.constant), entry);
         while (true) {
             WalkedCell& cell = cells_[static_cast<std::size_t>(level_)];

@@ -26,7 +26,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// What a ray needs to know of p and of itself, whatever the volumes. Depths are in units of
 /// `length` from the entry cell's base.
-struct FixedRay {
+struct HomothetyRay {
     float pixel_base;
     float pixel_growth;
     float pixel_least;
@@ -42,8 +42,8 @@ struct FixedRay {
 /// Notes which of the cells from i on are met, not before the ray's start and nearer than its best,
 /// and which of these are terminal.
 template <class D, class V = hn::VFromD<D>, class M>
-HWY_INLINE void note_met(D d, const FixedRay& ray, const ListedCells& cells, int i, V key, V exit,
-                         M met, OpenedCell& opened) {
+HWY_INLINE void note_met(D d, const HomothetyRay& ray, const ListedCells& cells, int i, V key,
+                         V exit, M met, OpenedCell& opened) {
     key = hn::Max(key, hn::Set(d, ray.start));
     met = hn::And(met, hn::And(hn::Le(key, exit), hn::Lt(key, hn::Set(d, ray.best))));
     met = hn::And(met, hn::FirstN(d, static_cast<std::size_t>(cells.count - i)));
@@ -66,21 +66,21 @@ HWY_INLINE void keep_places(D d, int i, V x, V y, V z, V size, OpenedCell& opene
 }
 
 /// Balls: lengths in units of the entry cell's radius.
-struct BallRay : FixedRay {
+struct BallRay : HomothetyRay {
     float a;  // the ray moves sideways by (a, b) per depth
     float b;
     float shrink2;     // 1 / (1 + a^2 + b^2)
     float per_length;  // 1 / length, from scene units
-    const HullShadow* shadow;
+    const SilhouetteCull* shadow;
     const WideScene* scene;
-    Aspect* aspect;
+    CandidateView* candidate_view;
     int object;
 
-    [[nodiscard]] bool has_lists() const { return aspect->view.shared; }
+    [[nodiscard]] bool has_lists() const { return candidate_view->view.shared; }
     HWY_INLINE ListedCells cells_of(const PlaceBelow& at, int set,
                                     const HomothetyTable& table) const {
         const float per_size = -1 / at.size;
-        return aspect->table(*scene, object, set, table)
+        return candidate_view->table(*scene, object, set, table)
             .at(table, at.x * per_size, at.y * per_size);
     }
     HWY_INLINE void test(const PlaceBelow& at, const ListedCells& cells, OpenedCell& opened) const {
@@ -102,7 +102,7 @@ struct BallRay : FixedRay {
             const V half = pass.half(shrink);
             const V middle = hn::Add(z, pass.ahead);
             const V key = hn::Sub(middle, half), exit = hn::Add(middle, half);
-            const auto met = in_shadow(d, *shadow, x, y, r, margin, hn::Le(key, exit));
+            const auto met = in_silhouette(d, *shadow, x, y, r, margin, hn::Le(key, exit));
             keep_places(d, i, x, y, z, r, opened);
             note_met(d, *this, cells, i, key, exit, met, opened);
         }
@@ -111,7 +111,7 @@ struct BallRay : FixedRay {
     [[nodiscard]] static float deepest(const PlaceBelow& at) { return at.z + 1.5F * at.size; }
 };
 
-struct BoxRay : FixedRay {
+struct BoxRay : HomothetyRay {
     float pace[3];  // depth per unit of each axis
     /// A ray that hardly moves along an axis lies in a face across it if, where it is measured
     /// from, it is nearer to it than so much, in depth; -1 along other axes.

@@ -19,15 +19,15 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// An entry cell, and what all rays below it have in common.
-struct StartBelow {
-    const FixedCell& cell;
+struct EntryBelow {
+    const HomothetyCell& cell;
     const WideObject& object;
     double base;  // depths in the cell are (z - base) / length
     double length;
     float least;  // no p is smaller
     bool last;    // the cell itself is terminal whatever its size
 
-    StartBelow(const WideScene& scene, const FixedCell& from, double depth, double unit)
+    EntryBelow(const WideScene& scene, const HomothetyCell& from, double depth, double unit)
         : cell(from),
           object(scene.objects[static_cast<std::size_t>(from.object)]),
           base(depth),
@@ -36,22 +36,22 @@ struct StartBelow {
           last(from.level == object.levels) {}
 };
 
-inline void fill_first(const StartBelow& start, OpenedCell& cell) {
+inline void fill_first(const EntryBelow& start, OpenedCell& cell) {
     cell.set = start.cell.set;
     cell.constant = static_cast<float>(start.cell.constant);
     cell.levels_left = start.object.levels - start.cell.level;
 }
 
 /// A ray below an entry cell; depths in the packet's frame, from the entry cell's base.
-HWY_INLINE FixedRay ray_below(const WideScene& scene, const SearchWorkspace& work,
-                              const StartBelow& start, int ray, float best) {
-    const RayBundle& bundle = work.bundle;
-    const auto pixel1 = static_cast<double>(bundle.pixel1[ray]);
-    const double pixel0 = static_cast<double>(bundle.pixel0[ray]) + pixel1 * start.base;
-    FixedRay fixed;
+HWY_INLINE HomothetyRay ray_below(const WideScene& scene, const SearchWorkspace& work,
+                                  const EntryBelow& start, int ray, float best) {
+    const RayPacket& packet = work.packet;
+    const auto pixel1 = static_cast<double>(packet.pixel1[ray]);
+    const double pixel0 = static_cast<double>(packet.pixel0[ray]) + pixel1 * start.base;
+    HomothetyRay fixed;
     fixed.best = best;
     fixed.start =
-        static_cast<float>((static_cast<double>(bundle.start[ray]) - start.base) / start.length);
+        static_cast<float>((static_cast<double>(packet.start[ray]) - start.base) / start.length);
     fixed.pixel_base = static_cast<float>(scene.detail * pixel0);
     fixed.pixel_growth = static_cast<float>(scene.detail * pixel1 * start.length);
     fixed.pixel_least = start.least;
@@ -61,7 +61,7 @@ HWY_INLINE FixedRay ray_below(const WideScene& scene, const SearchWorkspace& wor
 /// Calls `follow(ray, key, best, depth)` for the rays that have met an entry cell and found nothing
 /// nearer: whether there is something below it, and at which depth.
 template <class Follow>
-HWY_INLINE void follow_rays(SearchWorkspace& work, const StartBelow& start, int index,
+HWY_INLINE void follow_rays(SearchWorkspace& work, const EntryBelow& start, int index,
                             std::uint64_t met, const float* keys, const Follow& follow) {
     const double per_length = 1 / start.length;
     for (; met != 0; met &= met - 1) {

@@ -30,15 +30,15 @@ inline const LaneTable<double>& turn_children(const WideScene& scene, SearchWork
     LaneTable<double>& turned = work.turned[at];
     const auto& first = scene.objects[static_cast<std::size_t>(object)];
     const std::uint64_t stamp =
-        work.bundle_number * scene.turns.size() + static_cast<std::uint64_t>(first.turn);
+        work.packet_number * scene.turns.size() + static_cast<std::uint64_t>(first.turn);
     if (work.turned_for[at] == stamp) return turned;
     work.turned_for[at] = stamp;
     const HomothetyTable& table = scene.sets[at].children;
     if (turned.empty()) turned = LaneTable<double>(3, table.stride);
     for (int axis = 0; axis < 3; ++axis) {
-        const glm::dvec3 unit = glm::normalize(first.to_unit.direction(work.bundle.axis[axis]));
+        const glm::dvec3 unit = glm::normalize(first.to_unit.direction(work.packet.axis[axis]));
         for (int i = 0; i < table.stride; i += static_cast<int>(hn::Lanes(d))) {
-            const Lanes3<V> q = load3(d, table.twice.row(0) + i, table.stride);
+            const Lanes3<V> q = load3(d, table.f64.row(0) + i, table.stride);
             hn::StoreU(dot(q, broadcast(d, &unit.x)), d, turned.row(axis) + i);
         }
     }
@@ -46,7 +46,7 @@ inline const LaneTable<double>& turn_children(const WideScene& scene, SearchWork
 }
 
 /// The children of a cell of homotheties in lanes: rows of the scratch table.
-struct FixedRows {
+struct HomothetyRows {
     static constexpr int center = 0;  // 3
     static constexpr int size = 3;
     static constexpr int near = 4;
@@ -74,23 +74,24 @@ struct BallPass {
 struct ShadowRoom {
     double pixel0, pixel1, least;
 
-    ShadowRoom(const WideScene& scene, const RayBundle& bundle, const WideObject& object)
-        : pixel0(scene.detail * bundle.most_at_origin),
-          pixel1(scene.detail * bundle.most_growth),
+    ShadowRoom(const WideScene& scene, const RayPacket& packet, const WideObject& object)
+        : pixel0(scene.detail * packet.most_at_origin),
+          pixel1(scene.detail * packet.most_growth),
           least(scene.detail * object.smallest_pixel) {}
 };
 
 /// A ball misses the beam if its centre is farther beside the beam's square than its radius.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneInterval<V> ball_in_beam(D d, const RayBundle& bundle, const HullShadow& shadow,
-                                        const ShadowRoom& room, const Lanes3<V>& c, V r) {
+HWY_INLINE LaneInterval<V> ball_in_frustum(D d, const RayPacket& packet,
+                                           const SilhouetteCull& shadow, const ShadowRoom& room,
+                                           const Lanes3<V>& c, V r) {
     const V zero = hn::Zero(d);
     r = hn::Mul(r, hn::Set(d, 1 + unit_margin));
     const V far = hn::Add(c.z, r);
     const V reach_u =
-        hn::Add(hn::Set(d, bundle.reach_u0), hn::Mul(hn::Set(d, bundle.reach_u1), far));
+        hn::Add(hn::Set(d, packet.reach_u0), hn::Mul(hn::Set(d, packet.reach_u1), far));
     const V reach_v =
-        hn::Add(hn::Set(d, bundle.reach_v0), hn::Mul(hn::Set(d, bundle.reach_v1), far));
+        hn::Add(hn::Set(d, packet.reach_v0), hn::Mul(hn::Set(d, packet.reach_v1), far));
     const V x = hn::Max(hn::Sub(hn::Abs(c.x), reach_u), zero);
     const V y = hn::Max(hn::Sub(hn::Abs(c.y), reach_v), zero);
     const V half2 = hn::Sub(hn::Mul(r, r), hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
@@ -98,9 +99,9 @@ HWY_INLINE LaneInterval<V> ball_in_beam(D d, const RayBundle& bundle, const Hull
     if (shadow.edges > 0) {
         const V p = hn::Max(hn::Add(hn::Set(d, room.pixel0), hn::Mul(hn::Set(d, room.pixel1), far)),
                             hn::Set(d, room.least));
-        const V beside = hn::Mul(r, hn::Set(d, bundle.reach_u1 + bundle.reach_v1));
-        met = in_shadow(d, shadow, c.x, c.y, r,
-                        hn::Add(hn::Add(p, beside), hn::Add(reach_u, reach_v)), met);
+        const V beside = hn::Mul(r, hn::Set(d, packet.reach_u1 + packet.reach_v1));
+        met = in_silhouette(d, shadow, c.x, c.y, r,
+                            hn::Add(hn::Add(p, beside), hn::Add(reach_u, reach_v)), met);
     }
     const V half = hn::Sqrt(hn::Max(half2, zero));
     return {hn::Max(hn::Sub(c.z, half), zero),
@@ -109,7 +110,7 @@ HWY_INLINE LaneInterval<V> ball_in_beam(D d, const RayBundle& bundle, const Hull
 
 /// The depths at which the beam may be in boxes: two bounds for each axis.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneInterval<V> box_in_beam(D d, const BoxBeam& beam, const Lanes3<V>& c, V half) {
+HWY_INLINE LaneInterval<V> box_in_frustum(D d, const BoxFrustum& beam, const Lanes3<V>& c, V half) {
     LaneInterval<V> inside{hn::Zero(d), hn::Set(d, beyond)};
     half = hn::Mul(half, hn::Set(d, 1 + unit_margin));
     const auto clip = [&](V reach, double pace) HWY_ATTR {
@@ -132,25 +133,25 @@ HWY_INLINE LaneInterval<V> box_in_beam(D d, const BoxBeam& beam, const Lanes3<V>
     return inside;
 }
 
-inline void push_fixed_cell(SearchWorkspace& work, const FixedCell& cell) {
-    work.fixed_cells.push_back(cell);
-    work.queue.emplace_back(cell.near, ~(static_cast<int>(work.fixed_cells.size()) - 1));
+inline void push_homothety_cell(SearchWorkspace& work, const HomothetyCell& cell) {
+    work.homothety_cells.push_back(cell);
+    work.queue.emplace_back(cell.near, ~(static_cast<int>(work.homothety_cells.size()) - 1));
     std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
 }
 
 /// Puts the children of a cell of homotheties into the queue that a ray of the packet may meet.
-inline void open_fixed_cell(const WideScene& scene, SearchWorkspace& work, int index) {
+inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, int index) {
     const hn::ScalableTag<double> d;
     using V = hn::VFromD<decltype(d)>;
-    const FixedCell parent = work.fixed_cells[static_cast<std::size_t>(index)];
+    const HomothetyCell parent = work.homothety_cells[static_cast<std::size_t>(index)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(parent.object)];
     const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
     const HomothetyTable& table = set.children;
     const LaneTable<double>& centers =
-        object.spheres ? turn_children(scene, work, parent.object, parent.set) : table.twice;
-    const BoxBeam& beam = work.box_beams[static_cast<std::size_t>(parent.object)];
-    const HullShadow& shadow = work.shadows[static_cast<std::size_t>(parent.object)];
-    const ShadowRoom room(scene, work.bundle, object);
+        object.spheres ? turn_children(scene, work, parent.object, parent.set) : table.f64;
+    const BoxFrustum& beam = work.box_frusta[static_cast<std::size_t>(parent.object)];
+    const SilhouetteCull& shadow = work.silhouette_culls[static_cast<std::size_t>(parent.object)];
+    const ShadowRoom room(scene, work.packet, object);
     double* rows = work.scratch.get();
     const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * table.stride; };
     work.shared_tests += static_cast<std::uint64_t>(table.count);
@@ -158,104 +159,107 @@ inline void open_fixed_cell(const WideScene& scene, SearchWorkspace& work, int i
     for (int i = 0; i < table.count; i += static_cast<int>(hn::Lanes(d))) {
         const Lanes3<V> c = add_scaled(broadcast(d, parent.center.data()), size,
                                        load3(d, centers.row(0) + i, table.stride));
-        const V half = hn::Mul(size, hn::LoadU(d, table.twice.row(HomothetyTable::scale) + i));
+        const V half = hn::Mul(size, hn::LoadU(d, table.f64.row(HomothetyTable::scale) + i));
         const LaneInterval<V> inside = object.spheres
-                                           ? ball_in_beam(d, work.bundle, shadow, room, c, half)
-                                           : box_in_beam(d, beam, c, half);
-        store3(c, d, row(FixedRows::center) + i, table.stride);
-        hn::StoreU(half, d, row(FixedRows::size) + i);
-        hn::StoreU(hn::Max(inside.key, hn::Set(d, parent.near)), d, row(FixedRows::near) + i);
-        hn::StoreU(hn::Min(inside.exit, hn::Set(d, parent.far)), d, row(FixedRows::far) + i);
+                                           ? ball_in_frustum(d, work.packet, shadow, room, c, half)
+                                           : box_in_frustum(d, beam, c, half);
+        store3(c, d, row(HomothetyRows::center) + i, table.stride);
+        hn::StoreU(half, d, row(HomothetyRows::size) + i);
+        hn::StoreU(hn::Max(inside.key, hn::Set(d, parent.near)), d, row(HomothetyRows::near) + i);
+        hn::StoreU(hn::Min(inside.exit, hn::Set(d, parent.far)), d, row(HomothetyRows::far) + i);
     }
     for (int lane = 0; lane < table.count; ++lane) {
-        const double near = row(FixedRows::near)[lane];
-        const double far = row(FixedRows::far)[lane];
+        const double near = row(HomothetyRows::near)[lane];
+        const double far = row(HomothetyRows::far)[lane];
         if (!(near <= far) || work.farthest <= near) continue;
-        push_fixed_cell(work, {{row(0)[lane], row(1)[lane], row(2)[lane]},
-                               row(FixedRows::size)[lane],
-                               near,
-                               far,
-                               parent.constant * table.twice.row(HomothetyTable::constant)[lane],
-                               parent.constant * table.twice.row(HomothetyTable::diameter)[lane],
-                               table.sets[static_cast<std::size_t>(lane)],
-                               parent.object,
-                               index,
-                               lane,
-                               parent.level + 1,
-                               -1});
+        push_homothety_cell(work, {{row(0)[lane], row(1)[lane], row(2)[lane]},
+                                   row(HomothetyRows::size)[lane],
+                                   near,
+                                   far,
+                                   parent.constant * table.f64.row(HomothetyTable::constant)[lane],
+                                   parent.constant * table.f64.row(HomothetyTable::diameter)[lane],
+                                   table.sets[static_cast<std::size_t>(lane)],
+                                   parent.object,
+                                   index,
+                                   lane,
+                                   parent.level + 1,
+                                   -1});
     }
 }
 
-inline void set_box_beam(const WideObject& object, const RayBundle& bundle, BoxBeam& beam) {
-    const glm::dvec3 u = object.to_unit.direction(bundle.axis[0]);
-    const glm::dvec3 v = object.to_unit.direction(bundle.axis[1]);
-    const glm::dvec3 w = object.to_unit.direction(bundle.axis[2]);
+inline void set_box_frustum(const WideObject& object, const RayPacket& packet, BoxFrustum& beam) {
+    const glm::dvec3 u = object.to_unit.direction(packet.axis[0]);
+    const glm::dvec3 v = object.to_unit.direction(packet.axis[1]);
+    const glm::dvec3 w = object.to_unit.direction(packet.axis[2]);
     constexpr double least_pace = 1e-200;
     const auto inverse = [](double x) { return 1 / (std::abs(x) < least_pace ? least_pace : x); };
-    const glm::dvec3 eye = object.to_unit.point(bundle.origin);
+    const glm::dvec3 eye = object.to_unit.point(packet.origin);
     for (int k = 0; k < 3; ++k) {
         const auto at = static_cast<std::size_t>(k);
-        const double spread1 = std::abs(u[k]) * bundle.reach_u1 + std::abs(v[k]) * bundle.reach_v1;
+        const double spread1 = std::abs(u[k]) * packet.reach_u1 + std::abs(v[k]) * packet.reach_v1;
         beam.eye[at] = eye[k];
-        beam.spread0[at] = std::abs(u[k]) * bundle.reach_u0 + std::abs(v[k]) * bundle.reach_v0;
+        beam.spread0[at] = std::abs(u[k]) * packet.reach_u0 + std::abs(v[k]) * packet.reach_v0;
         beam.high_pace[at] = inverse(w[k] - spread1);
         beam.low_pace[at] = inverse(-w[k] - spread1);
     }
 }
 
 /// Step 1.1 for an object with a fixed direction.
-inline void push_fixed_object(const WideScene& scene, SearchWorkspace& work, int index) {
+inline void push_homothety_object(const WideScene& scene, SearchWorkspace& work, int index) {
     const hn::CappedTag<double, 1> d;
     using V = hn::VFromD<decltype(d)>;
     const WideObject& object = scene.objects[static_cast<std::size_t>(index)];
-    const RayBundle& bundle = work.bundle;
-    FixedCell cell{{0, 0, 0},
-                   1,
-                   0,
-                   beyond,
-                   object.constant,
-                   object.constant * object.diameter,
-                   object.set,
-                   index,
-                   -1,
-                   0,
-                   0,
-                   -1};
+    const RayPacket& packet = work.packet;
+    HomothetyCell cell{{0, 0, 0},
+                       1,
+                       0,
+                       beyond,
+                       object.constant,
+                       object.constant * object.diameter,
+                       object.set,
+                       index,
+                       -1,
+                       0,
+                       0,
+                       -1};
     if (object.spheres) {
         for (std::size_t k = 0; k < 3; ++k) {
-            cell.center[k] = glm::dot(object.center - bundle.origin, bundle.axis[k]);
+            cell.center[k] = glm::dot(object.center - packet.origin, packet.axis[k]);
         }
         cell.size = object.radius;
     } else {
-        set_box_beam(object, bundle, work.box_beams[static_cast<std::size_t>(index)]);
+        set_box_frustum(object, packet, work.box_frusta[static_cast<std::size_t>(index)]);
     }
     const Lanes3<V> c = broadcast(d, cell.center.data());
     const V size = hn::Set(d, cell.size);
-    const ShadowRoom room(scene, bundle, object);
+    const ShadowRoom room(scene, packet, object);
     const LaneInterval<V> inside =
-        object.spheres ? ball_in_beam(d, bundle, HullShadow{}, room, c, size)
-                       : box_in_beam(d, work.box_beams[static_cast<std::size_t>(index)], c, size);
+        object.spheres
+            ? ball_in_frustum(d, packet, SilhouetteCull{}, room, c, size)
+            : box_in_frustum(d, work.box_frusta[static_cast<std::size_t>(index)], c, size);
     ++work.shared_tests;
     cell.near = hn::GetLane(inside.key);
     cell.far = hn::GetLane(inside.exit);
     if (!(cell.near <= cell.far)) return;
-    if (object.spheres) work.shadows[static_cast<std::size_t>(index)] = make_shadow(object, bundle);
-    push_fixed_cell(work, cell);
+    if (object.spheres)
+        work.silhouette_culls[static_cast<std::size_t>(index)] =
+            make_silhouette_cull(object, packet);
+    push_homothety_cell(work, cell);
 }
 
 /// A cell of homotheties in the form of other shared cells: the packet's frame to unit coordinates.
-inline void rows_of(const WideObject& object, const RayBundle& bundle, const FixedCell& cell,
+inline void rows_of(const WideObject& object, const RayPacket& packet, const HomothetyCell& cell,
                     std::array<double, 12>& rows, double& base) {
     const double shrink = (object.spheres ? object.radius : 1) / cell.size;
     glm::dvec3 axis[3];
-    for (int i = 0; i < 3; ++i) axis[i] = object.to_unit.direction(bundle.axis[i]) * shrink;
+    for (int i = 0; i < 3; ++i) axis[i] = object.to_unit.direction(packet.axis[i]) * shrink;
     glm::dvec3 o;
     if (object.spheres) {  // the centre is at z along the packet's axis, and beside it
         base = cell.center[2];
         o = -(axis[0] * cell.center[0] + axis[1] * cell.center[1]);
     } else {
         const glm::dvec3 center{cell.center[0], cell.center[1], cell.center[2]};
-        o = (object.to_unit.point(bundle.origin) - center) / cell.size;
+        o = (object.to_unit.point(packet.origin) - center) / cell.size;
         base = -glm::dot(o, axis[2]) / glm::dot(axis[2], axis[2]);
         o += base * axis[2];
     }

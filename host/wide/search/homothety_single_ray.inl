@@ -81,8 +81,8 @@ HWY_INLINE void open_below(const WideScene& scene, const Ray& ray, const PlaceBe
 /// As follow_ray(), for cells of homotheties: from the entry cell, which is filled into the first
 /// of the opened ones, on.
 template <class Ray>
-inline bool follow_fixed(const WideScene& scene, SearchWorkspace& work, Ray& ray,
-                         const PlaceBelow& first, Found& found) {
+inline bool follow_homotheties(const WideScene& scene, SearchWorkspace& work, Ray& ray,
+                               const PlaceBelow& first, Found& found) {
     int depth = 0;
     open_below(scene, ray, first, work.opened[0], found);
     bool improved = false;
@@ -100,7 +100,7 @@ inline bool follow_fixed(const WideScene& scene, SearchWorkspace& work, Ray& ray
             ray.best = ray.found = cell.key[i];
             keep_word(work, depth + 1, found);
             improved = true;
-            if (depth-- == 0 || work.bundle.any_hit || found.given_up) return true;
+            if (depth-- == 0 || work.packet.any_hit || found.given_up) return true;
             continue;
         }
         if (found.tested >= scene.cell_cap || depth + 1 == Found::most_below) {

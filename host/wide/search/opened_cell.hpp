@@ -34,24 +34,24 @@ struct OpenedCell : MetCells {
 };
 
 /// An entry cell as the packet's rays see it, and what the rays below it need.
-struct StartRays {
-    alignas(64) float origin[3][bundle_rays];
-    alignas(64) float direction[3][bundle_rays];
-    alignas(64) float key[bundle_rays];
-    alignas(64) float exit[bundle_rays];
+struct EntryRays {
+    alignas(64) float origin[3][packet_rays];
+    alignas(64) float direction[3][packet_rays];
+    alignas(64) float key[packet_rays];
+    alignas(64) float exit[packet_rays];
     int cell = 0;
     int block = -1;  // of its children, once opened
     double base = 0;
 };
 
 /// The rays of the packet in the frame of their view.
-struct AspectRays {
-    alignas(64) float a[bundle_rays];  // sideways per depth
-    alignas(64) float b[bundle_rays];
-    alignas(64) float shrink2[bundle_rays];  // 1 / (1 + a^2 + b^2)
-    alignas(64) float pace[bundle_rays];     // depth in this frame per depth in the packet's
+struct CandidateViewRays {
+    alignas(64) float a[packet_rays];  // sideways per depth
+    alignas(64) float b[packet_rays];
+    alignas(64) float shrink2[packet_rays];  // 1 / (1 + a^2 + b^2)
+    alignas(64) float pace[packet_rays];     // depth in this frame per depth in the packet's
     float turn[3][3];                        // the packet's axes in this frame
-    Aspect* aspect = nullptr;
+    CandidateView* candidate_view = nullptr;
     std::uint64_t made_for = 0;  // the packet's number
 };
 

@@ -44,12 +44,12 @@ struct Beam {
 /// Half a cube's width grows by how far the rays are spread along each axis, which is linear in z:
 /// c (z - base) <= q twice for each axis. A ball is cut out of its cube.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneInterval<V> beam_in_volume(D d, const RayBundle& bundle, const Beam<V>& beam,
+HWY_INLINE LaneInterval<V> beam_in_volume(D d, const RayPacket& packet, const Beam<V>& beam,
                                           bool spheres, LaneInterval<V> inside) {
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0 + unit_margin);
-    const V u0 = hn::Set(d, bundle.reach_u0), u1 = hn::Set(d, bundle.reach_u1);
-    const V v0 = hn::Set(d, bundle.reach_v0), v1 = hn::Set(d, bundle.reach_v1);
+    const V u0 = hn::Set(d, packet.reach_u0), u1 = hn::Set(d, packet.reach_u1);
+    const V v0 = hn::Set(d, packet.reach_v0), v1 = hn::Set(d, packet.reach_v1);
     const auto clip = [&](V c, V q) HWY_ATTR {
         const V bound = hn::Add(hn::Div(q, c), beam.base);
         const auto ahead = hn::Lt(zero, c);
@@ -93,8 +93,8 @@ HWY_INLINE void rebase(D d, Beam<V>& beam) {
 }
 
 /// p(z) at least, of all rays of the packet.
-HWY_INLINE double pixel_at(const WideScene& scene, const RayBundle& bundle, int object, double z) {
-    const double p = bundle.pixel_at_origin + bundle.pixel_growth * z;
+HWY_INLINE double pixel_at(const WideScene& scene, const RayPacket& packet, int object, double z) {
+    const double p = packet.pixel_at_origin + packet.pixel_growth * z;
     return scene.detail *
            std::max(p, scene.objects[static_cast<std::size_t>(object)].smallest_pixel);
 }
@@ -110,7 +110,7 @@ inline void open_shared_cell(const WideScene& scene, SearchWorkspace& work, int 
     const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * stride; };
     work.shared_tests += static_cast<std::uint64_t>(set.count);
     for (int i = 0; i < set.count; i += static_cast<int>(hn::Lanes(d))) {
-        const double* table = set.twice.row(0) + i;
+        const double* table = set.f64.row(0) + i;
         const Lanes3x3<V> k = load3x3(d, table, stride);
         Beam<V> beam;
         beam.u = transform(broadcast(d, parent.rows.data()), k);
@@ -121,7 +121,7 @@ inline void open_shared_cell(const WideScene& scene, SearchWorkspace& work, int 
         beam.base = hn::Set(d, parent.base);
         rebase(d, beam);
         const LaneInterval<V> inside =
-            beam_in_volume(d, work.bundle, beam, set.spheres,
+            beam_in_volume(d, work.packet, beam, set.spheres,
                            LaneInterval<V>{hn::Set(d, parent.near), hn::Set(d, parent.far)});
         store3(beam.u, d, row(0) + i, stride);
         store3(beam.v, d, row(3) + i, stride);
@@ -187,13 +187,13 @@ inline void push_object(const WideScene& scene, SearchWorkspace& work, int index
     const auto put = [&](std::size_t i, const glm::dvec3& v) {
         for (int k = 0; k < 3; ++k) cell.rows[3 * i + static_cast<std::size_t>(k)] = v[k];
     };
-    for (std::size_t i = 0; i < 3; ++i) put(i, object.to_unit.direction(work.bundle.axis[i]));
+    for (std::size_t i = 0; i < 3; ++i) put(i, object.to_unit.direction(work.packet.axis[i]));
     const auto from = [&](std::size_t i) { return broadcast(d, cell.rows.data() + 3 * i); };
     Beam<V> beam{from(0), from(1), from(2), {}, hn::Zero(d)};
-    const glm::dvec3 origin = object.to_unit.point(work.bundle.origin);
+    const glm::dvec3 origin = object.to_unit.point(work.packet.origin);
     beam.o = broadcast(d, &origin.x);
     rebase(d, beam);
-    const LaneInterval<V> inside = beam_in_volume(d, work.bundle, beam, object.spheres,
+    const LaneInterval<V> inside = beam_in_volume(d, work.packet, beam, object.spheres,
                                                   LaneInterval<V>{hn::Zero(d), hn::Set(d, beyond)});
     ++work.shared_tests;
     cell.near = hn::GetLane(inside.key);

@@ -20,14 +20,14 @@ HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
 
 // The largest diameter of an entry cell: sharing costs more where maps turn and squash.
-constexpr double start_pixels_of_homotheties = 16;
-constexpr double start_pixels_of_maps = 24;
+constexpr double entry_pixels_of_homotheties = 16;
+constexpr double entry_pixels_of_maps = 24;
 
 /// The depth beyond which no ray of the packet looks any more.
 inline double farthest_best(const SearchWorkspace& work) {
     const hn::ScalableTag<double> d;
     auto farthest = hn::Zero(d);
-    for (std::size_t i = 0; i < bundle_rays; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < packet_rays; i += hn::Lanes(d)) {
         farthest = hn::Max(farthest, hn::LoadU(d, work.best.data() + i));
     }
     return hn::GetLane(hn::MaxOfLanes(d, farthest));
@@ -35,18 +35,18 @@ inline double farthest_best(const SearchWorkspace& work) {
 
 /// Whether a shared cell is small enough for the rays to go on alone.
 template <class Shared>
-inline bool is_start(const WideScene& scene, const SearchWorkspace& work, const Shared& cell,
+inline bool is_entry(const WideScene& scene, const SearchWorkspace& work, const Shared& cell,
                      double near, double most_pixels) {
     return cell.level == scene.objects[static_cast<std::size_t>(cell.object)].levels ||
-           cell.diameter <= most_pixels * pixel_at(scene, work.bundle, cell.object, near);
+           cell.diameter <= most_pixels * pixel_at(scene, work.packet, cell.object, near);
 }
 
-/// As visit_start_cell(), for an object with a fixed direction.
+/// As visit_entry_cell(), for an object with a fixed direction.
 inline void visit_homotheties(const WideScene& scene, SearchWorkspace& work, int index) {
     begin_looking(work);
-    const FixedCell cell = work.fixed_cells[static_cast<std::size_t>(index)];
+    const HomothetyCell cell = work.homothety_cells[static_cast<std::size_t>(index)];
     if (scene.objects[static_cast<std::size_t>(cell.object)].spheres) {
-        spread_in_aspect(scene, work);
+        spread_in_candidate_view(scene, work);
         BallVisit(scene, work, cell).visit(index);
     } else {
         visit_box(scene, work, cell, index);
@@ -56,17 +56,17 @@ inline void visit_homotheties(const WideScene& scene, SearchWorkspace& work, int
 /// Goes down into a cell of the queue, or gives it to the rays.
 inline void take_cell(const WideScene& scene, SearchWorkspace& work, double near, int index) {
     if (index < 0) {
-        const FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(~index)];
-        if (is_start(scene, work, cell, near, start_pixels_of_homotheties)) {
+        const HomothetyCell& cell = work.homothety_cells[static_cast<std::size_t>(~index)];
+        if (is_entry(scene, work, cell, near, entry_pixels_of_homotheties)) {
             visit_homotheties(scene, work, ~index);
         } else {
-            open_fixed_cell(scene, work, ~index);
+            open_homothety_cell(scene, work, ~index);
         }
         return;
     }
     const SharedCell& cell = work.cells[static_cast<std::size_t>(index)];
-    if (is_start(scene, work, cell, near, start_pixels_of_maps)) {
-        visit_start_cell(scene, work, index);
+    if (is_entry(scene, work, cell, near, entry_pixels_of_maps)) {
+        visit_entry_cell(scene, work, index);
     } else {
         open_shared_cell(scene, work, index);
     }
@@ -74,13 +74,14 @@ inline void take_cell(const WideScene& scene, SearchWorkspace& work, double near
 
 /// Whether a tile's cells are too many for its tables: they are far smaller than its pixels.
 inline bool has_too_many_cells(const SearchWorkspace& work) {
-    return work.cells.size() + work.fixed_cells.size() > most_shared_cells || work.arena.is_full();
+    return work.cells.size() + work.homothety_cells.size() > most_shared_cells ||
+           work.arena.is_full();
 }
 
 /// Leaves the rays that may find something at `near` or beyond to the reference kernels.
 inline void give_up_from(SearchWorkspace& work, double near) {
     begin_looking(work);
-    for (std::uint64_t rest = work.bundle.inside; rest != 0; rest &= rest - 1) {
+    for (std::uint64_t rest = work.packet.inside; rest != 0; rest &= rest - 1) {
         const auto ray = static_cast<std::size_t>(std::countr_zero(rest));
         if (near < work.best[ray]) work.found[ray].given_up = true;
     }
@@ -88,8 +89,8 @@ inline void give_up_from(SearchWorkspace& work, double near) {
 
 void search(const WideScene& scene, SearchWorkspace& work) {
     for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
-        if (scene.objects[static_cast<std::size_t>(i)].fixed_direction) {
-            push_fixed_object(scene, work, i);
+        if (scene.objects[static_cast<std::size_t>(i)].of_homotheties) {
+            push_homothety_object(scene, work, i);
         } else {
             push_object(scene, work, i);
         }
@@ -127,22 +128,22 @@ float* Arena::floats(std::size_t count) {
     return room;
 }
 
-bool search_bundle(const WideScene& scene, SearchWorkspace& work) {
+bool search_packet(const WideScene& scene, SearchWorkspace& work) {
     work.cells.clear();
     work.queue.clear();
     work.blocks.clear();
     work.arena.clear();
-    ++work.bundle_number;
-    work.fixed_cells.clear();
-    work.box_beams.resize(scene.objects.size());
-    work.shadows.resize(scene.objects.size());
+    ++work.packet_number;
+    work.homothety_cells.clear();
+    work.box_frusta.resize(scene.objects.size());
+    work.silhouette_culls.resize(scene.objects.size());
     work.turned.resize(scene.sets.size());
     work.turned_for.resize(scene.sets.size(), 0);
     work.shared_tests = 0;
     work.looking = false;
     work.improved = true;
-    work.best = work.bundle.end;
-    for (std::uint64_t rest = ~work.bundle.inside; rest != 0; rest &= rest - 1) {
+    work.best = work.packet.end;
+    for (std::uint64_t rest = ~work.packet.inside; rest != 0; rest &= rest - 1) {
         work.best[static_cast<std::size_t>(std::countr_zero(rest))] = 0;  // nothing to look for
     }
     HWY_DYNAMIC_DISPATCH(search)(scene, work);

@@ -31,26 +31,27 @@ struct SearchWorkspace {
         for (Found& ray : found) ray.clear();
     }
 
-    RayBundle bundle;
+    RayPacket packet;
     std::vector<SharedCell> cells;
-    std::vector<FixedCell> fixed_cells;
-    std::vector<BoxBeam> box_beams;             // per object
-    std::vector<HullShadow> shadows;            // per object
-    std::vector<std::pair<double, int>> queue;  // (near, cell or ~homothety cell), a heap
+    std::vector<HomothetyCell> homothety_cells;
+    std::vector<BoxFrustum> box_frusta;            // per object
+    std::vector<SilhouetteCull> silhouette_culls;  // per object
+    std::vector<std::pair<double, int>> queue;     // (near, cell or ~homothety cell), a heap
     std::vector<Block> blocks;
     Arena arena;
-    StartRays start;
+    EntryRays start;
     std::vector<MetChildren> met;                      // of blocks, one below the other
     std::array<OpenedCell, Found::most_below> opened;  // one below the other
     std::vector<LaneTable<double>> turned;             // children's centres in the packet's frame
     std::vector<std::uint64_t> turned_for;             // (packet, turn) they are right for
-    std::uint64_t bundle_number = 0;
-    std::vector<Aspect> aspects;  // of the packet itself, of a part of the picture, of each light
-    AspectRays aspect_rays;
+    std::uint64_t packet_number = 0;
+    std::vector<CandidateView>
+        candidate_views;  // of the packet itself, of a part of the picture, of each light
+    CandidateViewRays candidate_view_rays;
     bool looking = false;  // an entry cell has been given to the rays: `found` is theirs
-    std::array<Found, bundle_rays> found;
+    std::array<Found, packet_rays> found;
     /// What lies beyond is of no interest to a ray: where it found a cell, or where it ends.
-    std::array<double, bundle_rays> best;
+    std::array<double, packet_rays> best;
     double farthest = 0;   // of all rays inside, when last looked for
     bool improved = true;  // since then
     std::uint64_t shared_tests = 0;
@@ -59,6 +60,6 @@ struct SearchWorkspace {
 
 /// Fills in `found` for the packet in the workspace, on the widest registers there are. False, and
 /// nothing filled in, if the packet came to no entry cell: none of its rays meets anything.
-[[nodiscard]] bool search_bundle(const WideScene& scene, SearchWorkspace& work);
+[[nodiscard]] bool search_packet(const WideScene& scene, SearchWorkspace& work);
 
 }  // namespace pxm::host::wide

@@ -51,22 +51,22 @@ inline int convex_hull(glm::dvec2* points, int count, glm::dvec2* hull) {
 }
 
 /// The silhouette of an object's hull in the packet's frame, in radii from the ball's centre.
-inline HullShadow make_shadow(const WideObject& object, const RayBundle& bundle) {
+inline SilhouetteCull make_silhouette_cull(const WideObject& object, const RayPacket& packet) {
     constexpr double largest_share = 0.75;  // of the ball's shadow; beyond it the cull costs more
     constexpr double pi = 3.14159265358979;
-    HullShadow shadow;
+    SilhouetteCull shadow;
     const auto count = static_cast<int>(object.hull.size());
     if (count < 3) return shadow;
     std::array<glm::dvec2, WideObject::most_hull_points> points;
     std::array<glm::dvec2, WideObject::most_hull_points + 1> hull;
-    const glm::dvec3 u = glm::normalize(object.to_unit.direction(bundle.axis[0]));
-    const glm::dvec3 v = glm::normalize(object.to_unit.direction(bundle.axis[1]));
+    const glm::dvec3 u = glm::normalize(object.to_unit.direction(packet.axis[0]));
+    const glm::dvec3 v = glm::normalize(object.to_unit.direction(packet.axis[1]));
     for (int i = 0; i < count; ++i) {
         const glm::dvec3& point = object.hull[static_cast<std::size_t>(i)];
         points[static_cast<std::size_t>(i)] = {glm::dot(point, u), glm::dot(point, v)};
     }
     const int edges = convex_hull(points.data(), count, hull.data());
-    if (edges < 3 || edges > HullShadow::most_edges) return shadow;
+    if (edges < 3 || edges > SilhouetteCull::most_edges) return shadow;
     double area = 0;
     for (int i = 0; i < edges; ++i) {
         const glm::dvec2 a = hull[static_cast<std::size_t>(i)];
@@ -82,7 +82,7 @@ inline HullShadow make_shadow(const WideObject& object, const RayBundle& bundle)
 /// Of the rays that `met` a ball of radius r, those whose place beside its centre is in the shadow,
 /// or no farther from each edge than `margin`. (x, y) is the centre seen from the ray.
 template <class D, class V = hn::VFromD<D>, class M>
-HWY_INLINE M in_shadow(D d, const HullShadow& shadow, V x, V y, V r, V margin, M met) {
+HWY_INLINE M in_silhouette(D d, const SilhouetteCull& shadow, V x, V y, V r, V margin, M met) {
     using T = hn::TFromD<D>;
     for (int i = 0; i < shadow.edges; ++i) {
         const auto& edge = shadow.template edge<T>(i);

@@ -58,7 +58,7 @@ inline int make_block(const WideScene& scene, SearchWorkspace& work, const Openi
                          hn::Set(d, p[2 * cell.stride])};
     };
     for (int i = 0; i < stride; i += static_cast<int>(hn::Lanes(d))) {
-        const float* table = set.single.row(0) + i;
+        const float* table = set.f32.row(0) + i;
         const Lanes3x3<V> k = load3x3(d, table, stride);
         for (int r = 0; r < 3; ++r) {
             store3(transform(outer(cell.map, r), k), d, block.rows + 3 * r * stride + i, stride);
@@ -108,7 +108,7 @@ inline int open_cell(const WideScene& scene, SearchWorkspace& work, int block_in
 }
 
 /// A ray in an entry cell's unit coordinates; depths are measured from the entry cell's base.
-struct RayInStart {
+struct RayInEntry {
     float origin[3];
     float direction[3];
     float pixel_base;  // detail * p = max(pixel_base + pixel_growth * depth, pixel_least)
@@ -136,7 +136,7 @@ HWY_INLINE Lanes3<V> rounding_room(D d, const Lanes3x3<V>& map) {
 /// nearer than its best. False if the ray lies in the face of a box, where floats cannot tell.
 template <bool spheres>
 [[nodiscard]] inline bool meet_children(const Block& block, const WideSet& set,
-                                        const RayInStart& ray, float key, float exit,
+                                        const RayInEntry& ray, float key, float exit,
                                         MetChildren& met) {
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
@@ -209,7 +209,7 @@ HWY_INLINE int nearest_waiting(const MetCells& cells, float best) {
 
 /// Follows a ray from the entry cell (already met, not terminal) to the nearest terminal cell that
 /// is nearer than `ray.best`. True, and `found` changed, if there is one.
-inline bool follow_ray(const WideScene& scene, SearchWorkspace& work, RayInStart& ray, float key,
+inline bool follow_ray(const WideScene& scene, SearchWorkspace& work, RayInEntry& ray, float key,
                        float exit, int root, std::uint32_t last_level, Found& found) {
     std::vector<MetChildren>& stack = work.met;
     std::size_t depth = 0;
@@ -244,7 +244,7 @@ inline bool follow_ray(const WideScene& scene, SearchWorkspace& work, RayInStart
             found.block = met.block;
             found.lane = lane;
             improved = true;
-            if (work.bundle.any_hit) return true;
+            if (work.packet.any_hit) return true;
             --depth;
             continue;
         }

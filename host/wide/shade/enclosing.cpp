@@ -58,19 +58,19 @@ Entry enter(const CompiledVolume& volume, const glm::dvec3& o, const glm::dvec3&
 
 }  // namespace
 
-void find_enclosing(const WideScene& scene, const WideObject& object, const RayBundle& bundle,
+void find_enclosing(const WideScene& scene, const WideObject& object, const RayPacket& packet,
                     int ray, std::vector<EnclosingNormal>& found) {
     found.clear();
     if (object.enclosing < 0) return;
-    const glm::dmat3 frame{bundle.axis[0], bundle.axis[1], bundle.axis[2]};
-    const glm::dvec3 origin = bundle.origin + frame * glm::dvec3{bundle.u0[ray], bundle.v0[ray], 0};
-    const glm::dvec3 direction = frame * glm::dvec3{bundle.u1[ray], bundle.v1[ray], 1};
+    const glm::dmat3 frame{packet.axis[0], packet.axis[1], packet.axis[2]};
+    const glm::dvec3 origin = packet.origin + frame * glm::dvec3{packet.u0[ray], packet.v0[ray], 0};
+    const glm::dvec3 direction = frame * glm::dvec3{packet.u1[ray], packet.v1[ray], 1};
     for (int at = object.enclosing; at >= 0;) {
         const CompiledEnclosure& cell = scene.enclosures[static_cast<std::size_t>(at)];
         const Entry entry =
             enter(cell.volume, cell.inverse.point(origin), cell.inverse.direction(direction));
         at = cell.enclosing;
-        if (!(static_cast<double>(bundle.start[ray]) < entry.depth && entry.depth <= entry.exit)) {
+        if (!(static_cast<double>(packet.start[ray]) < entry.depth && entry.depth <= entry.exit)) {
             continue;
         }
         // Normals go through the transpose of the inverse, and then into the packet's frame.

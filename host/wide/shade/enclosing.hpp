@@ -17,7 +17,7 @@ struct EnclosingNormal {
 };
 
 /// Those of the cells around `object` that a ray of the packet enters, in `found`.
-void find_enclosing(const WideScene& scene, const WideObject& object, const RayBundle& bundle,
+void find_enclosing(const WideScene& scene, const WideObject& object, const RayPacket& packet,
                     int ray, std::vector<EnclosingNormal>& found);
 
 }  // namespace pxm::host::wide

@@ -26,13 +26,13 @@ struct AroundRays {
 };
 
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE AroundRays<V> rays_around(D d, const CompiledEnclosure& cell, const RayBundle& bundle,
+HWY_INLINE AroundRays<V> rays_around(D d, const CompiledEnclosure& cell, const RayPacket& packet,
                                      const BesideAxis<V>& rays) {
     const auto axis = [&](int i) HWY_ATTR {
-        const glm::dvec3 turned = cell.inverse.direction(bundle.axis[i]);
+        const glm::dvec3 turned = cell.inverse.direction(packet.axis[i]);
         return broadcast(d, &turned.x);
     };
-    const glm::dvec3 from = cell.inverse.point(bundle.origin);
+    const glm::dvec3 from = cell.inverse.point(packet.origin);
     AroundRays<V> result;
     result.u = axis(0);
     result.v = axis(1);
@@ -94,7 +94,7 @@ HWY_INLINE auto enter_sides(D d, const CompiledVolume& volume, const AroundRays<
     return AroundHits<V, hn::Mask<D>>{entry, normal, hn::Le(entry, exit)};
 }
 
-/// Sums of what cells around an object give: SeenTogether::enclosing.
+/// Sums of what cells around an object give: HitLanes::enclosing.
 template <class V>
 struct EnclosingSums {
     Lanes3<V> weighted, plain;
@@ -122,8 +122,8 @@ HWY_INLINE void add_around(D d, const CompiledEnclosure& cell, const AroundRays<
 
 /// What the cells around the object give to the rays.
 inline void take_enclosing(const WideScene& scene, const WideObject& object,
-                           const RayBundle& bundle, const PathWeights& weights, SeenTogether& t) {
-    const hn::CappedTag<double, SeenTogether::most_lanes> d;
+                           const RayPacket& packet, const PathWeights& weights, HitLanes& t) {
+    const hn::CappedTag<double, HitLanes::most_lanes> d;
     using V = hn::VFromD<decltype(d)>;
     const V none = hn::Zero(d);
     for (int lane = 0; lane < t.count; lane += static_cast<int>(hn::Lanes(d))) {
@@ -133,7 +133,7 @@ inline void take_enclosing(const WideScene& scene, const WideObject& object,
         for (int at = object.enclosing; at >= 0;) {
             const CompiledEnclosure& cell = scene.enclosures[static_cast<std::size_t>(at)];
             const float weight = weights.of(static_cast<float>(cell.volume.diameter));
-            add_around(d, cell, rays_around(d, cell, bundle, beside), start,
+            add_around(d, cell, rays_around(d, cell, packet, beside), start,
                        static_cast<double>(weight), sums);
             at = cell.enclosing;
         }

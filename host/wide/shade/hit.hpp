@@ -23,7 +23,7 @@ struct Path {
     static constexpr int row_length = 16;
 
     alignas(64) float rows[capacity][row_length];
-    alignas(64) double twice[capacity][row_length];  // the same, used if deep
+    alignas(64) double f64[capacity][row_length];  // the same, used if deep
     bool deep = false;  // a float cannot tell where rays enter the largest cells
     double start_base = 0;
     double start_diameter = 0;
@@ -42,7 +42,7 @@ struct Path {
 };
 
 /// What a ray sees of a cell.
-struct SeenCell {
+struct ShadedHit {
     std::array<float, 3> color;   // of the surface, without light
     std::array<float, 3> normal;  // the total normal, scene coordinates
     std::vector<float> facing;    // of each light: Lambert's cosine, or its mean over the path
@@ -53,13 +53,13 @@ struct SeenCell {
 };
 
 /// What a word of symbols gives, beside a cell.
-struct SeenWord {
+struct HitWord {
     std::uint32_t hash;  // unfinished
     std::array<float, 3> color;
 };
 
 /// Rays that have hit below the same entry cell, one in each lane.
-struct SeenTogether {
+struct HitLanes {
     static constexpr int most_lanes = 16;
 
     int count = 0;
@@ -70,7 +70,7 @@ struct SeenTogether {
     alignas(64) float pixel_base[most_lanes] = {};  // detail * p is base + growth * depth
     alignas(64) float pixel_growth[most_lanes] = {};
     alignas(64) std::int32_t levels[most_lanes] = {};
-    std::array<SeenWord, most_lanes> words{};
+    std::array<HitWord, most_lanes> words{};
     // Levels of a ray's own, seen from the entry cell: centre and size, or an affine map.
     alignas(64) float map[Path::capacity][12][most_lanes] = {};
     alignas(64) float diameter[Path::capacity][most_lanes] = {};

@@ -31,17 +31,17 @@ inline ChildPlaces child_places(const WideScene& scene, Workspace& work, int obj
     const HomothetyTable& table = scene.sets[static_cast<std::size_t>(set)].children;
     const LaneTable<double>& centers = scene.objects[static_cast<std::size_t>(object)].spheres
                                            ? turn_children(scene, work, object, set)
-                                           : table.twice;
+                                           : table.f64;
     return {set, &table, centers.row(0), centers.row(1), centers.row(2)};
 }
 
 /// The levels of a ray's own: where they are from the entry cell, and how large.
 inline bool take_own_homotheties(const WideScene& scene, Workspace& work, const Path& path,
-                                 const Found& found, int lane, SeenTogether& t) {
+                                 const Found& found, int lane, HitLanes& t) {
     if (path.shared + found.below_count > Path::capacity) return false;
-    const FixedCell& start = work.fixed_cells[static_cast<std::size_t>(found.start)];
+    const HomothetyCell& start = work.homothety_cells[static_cast<std::size_t>(found.start)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(start.object)];
-    SeenWord& word = t.words[static_cast<std::size_t>(lane)];
+    HitWord& word = t.words[static_cast<std::size_t>(lane)];
     word = {path.hash, path.color};
     float x = 0, y = 0, z = 0, size = static_cast<float>(start.size);
     auto constant = static_cast<float>(start.constant);
@@ -82,7 +82,7 @@ struct BallLevels {
     };
 
     template <class D, class V = hn::VFromD<D>>
-    static HWY_INLINE Rays<V> rays(D d, const Path& /*path*/, const SeenTogether& t, int lane) {
+    static HWY_INLINE Rays<V> rays(D d, const Path& /*path*/, const HitLanes& t, int lane) {
         const BesideAxis<V> beside = rays_beside(d, t, lane);
         const V one = hn::Set(d, hn::TFromD<D>(1));
         const V side2 = hn::Add(hn::Mul(beside.u1, beside.u1), hn::Mul(beside.v1, beside.v1));
@@ -94,8 +94,7 @@ struct BallLevels {
                 hn::Set(d, row[3]), hn::Set(d, row[4]), hn::Set(d, row[Path::from_start])};
     }
     template <class D, class V = hn::VFromD<D>>
-    static HWY_INLINE Cell<V> own(D d, const Cell<V>& start, const SeenTogether& t, int k,
-                                  int lane) {
+    static HWY_INLINE Cell<V> own(D d, const Cell<V>& start, const HitLanes& t, int k, int lane) {
         const auto row = [&](int i) HWY_ATTR { return hn::LoadU(d, t.map[k][i] + lane); };
         const V z = row(2), radius = row(3);
         return {hn::Add(start.x, row(0)),
@@ -140,7 +139,7 @@ struct BoxLevels {
     };
 
     template <class D, class V = hn::VFromD<D>>
-    static HWY_INLINE Rays<V> rays(D d, const Path& path, const SeenTogether& t, int lane) {
+    static HWY_INLINE Rays<V> rays(D d, const Path& path, const HitLanes& t, int lane) {
         using T = hn::TFromD<D>;
         const BesideAxis<V> beside = rays_beside(d, t, lane);
         const V base = hn::Set(d, static_cast<T>(path.start_base));
@@ -198,7 +197,7 @@ struct BoxLevels {
         return {broadcast(d, row), hn::Set(d, row[3])};
     }
     template <class D, class V = hn::VFromD<D>>
-    static HWY_INLINE Cell<V> own(D d, const Cell<V>& /*start*/, const SeenTogether& t, int k,
+    static HWY_INLINE Cell<V> own(D d, const Cell<V>& /*start*/, const HitLanes& t, int k,
                                   int lane) {
         const auto row = [&](int i) HWY_ATTR { return hn::LoadU(d, t.map[k][i] + lane); };
         return {{row(0), row(1), row(2)}, row(3)};

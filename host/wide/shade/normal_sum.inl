@@ -51,14 +51,14 @@ struct PathWalk {
 /// itself (Eq. 17.3 in full, as dsp_kernels/lights.hpp). `light` in the packet's frame.
 class PointLightSum {
   public:
-    PointLightSum(const RayBundle& bundle, int ray, const glm::dvec3& light)
-        : bundle_(bundle), ray_(ray), light_(light) {}
+    PointLightSum(const RayPacket& packet, int ray, const glm::dvec3& light)
+        : packet_(packet), ray_(ray), light_(light) {}
     /// A cell that the ray enters at depth z.
     void add(const glm::vec3& normal, double z, float weight) {
         const auto at = [&](const float* constant, const float* growing) {
             return static_cast<double>(constant[ray_]) + static_cast<double>(growing[ray_]) * z;
         };
-        const glm::dvec3 point{at(bundle_.u0, bundle_.u1), at(bundle_.v0, bundle_.v1), z};
+        const glm::dvec3 point{at(packet_.u0, packet_.u1), at(packet_.v0, packet_.v1), z};
         const glm::vec3 toward{glm::normalize(light_ - point)};
         const float cosine = std::max(0.0F, glm::dot(normal, toward));
         weighted_ += weight * cosine;
@@ -71,7 +71,7 @@ class PointLightSum {
     }
 
   private:
-    const RayBundle& bundle_;
+    const RayPacket& packet_;
     int ray_;
     glm::dvec3 light_;
     float weighted_ = 0;
@@ -81,13 +81,13 @@ class PointLightSum {
 };
 
 /// The packet's frame to scene units.
-inline glm::vec3 to_scene(const RayBundle& bundle, const glm::vec3& v) {
-    return glm::vec3{bundle.axis[0]} * v.x + glm::vec3{bundle.axis[1]} * v.y +
-           glm::vec3{bundle.axis[2]} * v.z;
+inline glm::vec3 to_scene(const RayPacket& packet, const glm::vec3& v) {
+    return glm::vec3{packet.axis[0]} * v.x + glm::vec3{packet.axis[1]} * v.y +
+           glm::vec3{packet.axis[2]} * v.z;
 }
 
-inline glm::dvec3 to_frame(const RayBundle& bundle, const glm::dvec3& v) {
-    return {glm::dot(v, bundle.axis[0]), glm::dot(v, bundle.axis[1]), glm::dot(v, bundle.axis[2])};
+inline glm::dvec3 to_frame(const RayPacket& packet, const glm::dvec3& v) {
+    return {glm::dot(v, packet.axis[0]), glm::dot(v, packet.axis[1]), glm::dot(v, packet.axis[2])};
 }
 
 }  // namespace pxm::host::wide::HWY_NAMESPACE

@@ -52,12 +52,12 @@ inline constexpr double deep_share = 0x1p-10;
 /// Row `level`, of which the first numbers are filled in by `fill(row of doubles)`.
 template <class Fill>
 inline void put_level(Path& path, int level, double base, double diameter, const Fill& fill) {
-    double* twice = path.twice[level];
-    fill(twice);
-    twice[Path::base] = base;
-    twice[Path::from_start] = base - path.start_base;
-    twice[Path::diameter] = diameter;
-    for (int i = 0; i <= Path::diameter; ++i) path.rows[level][i] = static_cast<float>(twice[i]);
+    double* f64 = path.f64[level];
+    fill(f64);
+    f64[Path::base] = base;
+    f64[Path::from_start] = base - path.start_base;
+    f64[Path::diameter] = diameter;
+    for (int i = 0; i <= Path::diameter; ++i) path.rows[level][i] = static_cast<float>(f64[i]);
     if (level == 0) path.deep = diameter * deep_share > path.start_diameter;
 }
 
@@ -93,11 +93,11 @@ inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
 }
 
 /// What the boxes of a path have in common.
-inline void put_frame(const WideObject& object, const RayBundle& bundle, const FixedCell& start,
+inline void put_frame(const WideObject& object, const RayPacket& packet, const HomothetyCell& start,
                       Path& path) {
-    FixedCell unit = start;
+    HomothetyCell unit = start;
     unit.size = 1;
-    rows_of(object, bundle, unit, path.frame, path.start_base);
+    rows_of(object, packet, unit, path.frame, path.start_base);
     for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec3 across{path.frame[k], path.frame[3 + k], path.frame[6 + k]};
         path.face[k] = glm::normalize(across);
@@ -105,8 +105,8 @@ inline void put_frame(const WideObject& object, const RayBundle& bundle, const F
 }
 
 /// The same for homotheties.
-inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
-    FixedCell& cell = work.fixed_cells[static_cast<std::size_t>(start)];
+inline Path* path_of_homotheties(const WideScene& scene, Workspace& work, int start) {
+    HomothetyCell& cell = work.homothety_cells[static_cast<std::size_t>(start)];
     if (cell.level + 1 > Path::capacity) return nullptr;
     if (cell.path >= 0) return &work.paths[static_cast<std::size_t>(cell.path)];
     Path& path = new_path(scene, work, cell.object, cell.level, cell.path);
@@ -115,17 +115,17 @@ inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
     if (object.spheres) {
         path.start_base = cell.center[2];
     } else {
-        put_frame(object, work.bundle, cell, path);
+        put_frame(object, work.packet, cell, path);
     }
     path.start_diameter = cell.diameter;
     int cells[Path::capacity];
     int at = start;
     for (int level = path.shared - 1; level >= 0; --level) {
         cells[level] = at;
-        at = work.fixed_cells[static_cast<std::size_t>(at)].parent;
+        at = work.homothety_cells[static_cast<std::size_t>(at)].parent;
     }
     for (int level = 0; level < path.shared; ++level) {
-        const FixedCell& inner = work.fixed_cells[static_cast<std::size_t>(cells[level])];
+        const HomothetyCell& inner = work.homothety_cells[static_cast<std::size_t>(cells[level])];
         const double base = object.spheres ? inner.center[2] : path.start_base;
         put_level(path, level, base, inner.diameter, [&](double* row) {
             for (std::size_t k = 0; k < 3; ++k) {
@@ -135,7 +135,7 @@ inline Path* path_of_fixed(const WideScene& scene, Workspace& work, int start) {
             row[4] = 1 / inner.size;
         });
         if (level == 0) continue;
-        const FixedCell& parent = work.fixed_cells[static_cast<std::size_t>(inner.parent)];
+        const HomothetyCell& parent = work.homothety_cells[static_cast<std::size_t>(inner.parent)];
         const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
         const auto lane = static_cast<std::size_t>(inner.lane);
         path.hash = hash_symbol(path.hash, static_cast<std::uint32_t>(set.maps[lane]));

@@ -19,16 +19,16 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Takes a ray into a lane: where it goes, and how p grows along it.
-inline void take_ray(const WideScene& scene, const RayBundle& bundle, const Path& path, int ray,
-                     int lane, SeenTogether& t) {
-    const auto growth = static_cast<double>(bundle.pixel1[ray]);
-    const double p = static_cast<double>(bundle.pixel0[ray]) + growth * path.start_base;
-    const auto start = static_cast<double>(bundle.start[ray]);
-    t.beside[0][lane] = bundle.u0[ray];
-    t.beside[1][lane] = bundle.u1[ray];
-    t.beside[2][lane] = bundle.v0[ray];
-    t.beside[3][lane] = bundle.v1[ray];
-    t.begin[lane] = bundle.start[ray];
+inline void take_ray(const WideScene& scene, const RayPacket& packet, const Path& path, int ray,
+                     int lane, HitLanes& t) {
+    const auto growth = static_cast<double>(packet.pixel1[ray]);
+    const double p = static_cast<double>(packet.pixel0[ray]) + growth * path.start_base;
+    const auto start = static_cast<double>(packet.start[ray]);
+    t.beside[0][lane] = packet.u0[ray];
+    t.beside[1][lane] = packet.u1[ray];
+    t.beside[2][lane] = packet.v0[ray];
+    t.beside[3][lane] = packet.v1[ray];
+    t.begin[lane] = packet.start[ray];
     t.start[lane] = static_cast<float>(start - path.start_base);
     t.pixel_base[lane] = static_cast<float>(scene.detail * p);
     t.pixel_growth[lane] = static_cast<float>(scene.detail * growth);
@@ -36,8 +36,8 @@ inline void take_ray(const WideScene& scene, const RayBundle& bundle, const Path
 
 /// The levels of a ray's own: maps from the entry cell's unit coordinates to theirs.
 inline bool take_own_maps(const WideScene& scene, const Workspace& work, const Path& path,
-                          const Found& found, int lane, SeenTogether& t) {
-    SeenWord& word = t.words[static_cast<std::size_t>(lane)];
+                          const Found& found, int lane, HitLanes& t) {
+    HitWord& word = t.words[static_cast<std::size_t>(lane)];
     word = {path.hash, path.color};
     t.levels[lane] = path.shared;
     if (found.block < 0) return true;
@@ -99,7 +99,7 @@ struct BesideAxis {
 };
 
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE BesideAxis<V> rays_beside(D d, const SeenTogether& t, int lane) {
+HWY_INLINE BesideAxis<V> rays_beside(D d, const HitLanes& t, int lane) {
     const auto beside = [&](int i) HWY_ATTR { return load_floats(d, t.beside[i] + lane); };
     return {beside(0), beside(1), beside(2), beside(3)};
 }
@@ -124,7 +124,7 @@ struct MapLevels {
     };
 
     template <class D, class V = hn::VFromD<D>>
-    static HWY_INLINE Rays<V> rays(D d, const Path& /*path*/, const SeenTogether& t, int lane) {
+    static HWY_INLINE Rays<V> rays(D d, const Path& /*path*/, const HitLanes& t, int lane) {
         return rays_beside(d, t, lane);
     }
     template <class D, class V = hn::VFromD<D>>
@@ -134,8 +134,7 @@ struct MapLevels {
                 hn::Set(d, row[Path::base]), hn::Set(d, row[Path::from_start])};
     }
     template <class D, class V = hn::VFromD<D>>
-    static HWY_INLINE Cell<V> own(D d, const Cell<V>& start, const SeenTogether& t, int k,
-                                  int lane) {
+    static HWY_INLINE Cell<V> own(D d, const Cell<V>& start, const HitLanes& t, int k, int lane) {
         const auto row = [&](int i) HWY_ATTR { return hn::LoadU(d, t.map[k][i] + lane); };
         const Lanes3x3<V> map{
             {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}, {row(6), row(7), row(8)}}};
@@ -174,7 +173,7 @@ struct MapLevels {
 };
 
 template <class D, class V>
-HWY_INLINE void put_level_hits(D d, const LevelHits<V>& met, int level, int lane, SeenTogether& t) {
+HWY_INLINE void put_level_hits(D d, const LevelHits<V>& met, int level, int lane, HitLanes& t) {
     put_hits(d, met.key, t.hits[level][0] + lane);
     put_hits(d, met.exit, t.hits[level][1] + lane);
     put_hits(d, met.normal.x, t.hits[level][2] + lane);
@@ -184,8 +183,7 @@ HWY_INLINE void put_level_hits(D d, const LevelHits<V>& met, int level, int lane
 
 /// Where the rays enter the cells that they share; `rows` as in Path, of floats or doubles.
 template <class Levels, int lanes, class T>
-inline void meet_shared_levels(const Path& path, const T (*rows)[Path::row_length],
-                               SeenTogether& t) {
+inline void meet_shared_levels(const Path& path, const T (*rows)[Path::row_length], HitLanes& t) {
     const hn::CappedTag<T, lanes> d;
     for (int lane = 0; lane < t.count; lane += static_cast<int>(hn::Lanes(d))) {
         const auto rays = Levels::rays(d, path, t, lane);
@@ -199,7 +197,7 @@ inline void meet_shared_levels(const Path& path, const T (*rows)[Path::row_lengt
 /// Where each ray enters the cells of its own, `most` of them. `lanes` is the width of a register:
 /// narrow ones are quicker for few rays.
 template <class Levels, int lanes>
-inline void meet_own_levels(const Path& path, int most, SeenTogether& t) {
+inline void meet_own_levels(const Path& path, int most, HitLanes& t) {
     const hn::CappedTag<float, lanes> d;
     const auto start = Levels::shared(d, path.rows[path.shared - 1]);
     for (int lane = 0; lane < t.count; lane += static_cast<int>(hn::Lanes(d))) {
@@ -214,7 +212,7 @@ inline void meet_own_levels(const Path& path, int most, SeenTogether& t) {
 
 /// Where one ray leaves the last cell of its path, instead of where it enters.
 template <class Levels>
-inline void leave_last_level(const Path& path, int lane, SeenTogether& t) {
+inline void leave_last_level(const Path& path, int lane, HitLanes& t) {
     const hn::CappedTag<float, 1> d;
     const hn::CappedTag<double, 1> dd;
     const int last = t.levels[lane] - 1;
@@ -226,7 +224,7 @@ inline void leave_last_level(const Path& path, int lane, SeenTogether& t) {
         const auto start = Levels::shared(d, path.rows[path.shared - 1]);
         leave(d, Levels::own(d, start, t, last - path.shared, lane));
     } else if (path.deep) {
-        leave(dd, Levels::shared(dd, path.twice[last]));
+        leave(dd, Levels::shared(dd, path.f64[last]));
     } else {
         leave(d, Levels::shared(d, path.rows[last]));
     }

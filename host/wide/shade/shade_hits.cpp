@@ -12,15 +12,15 @@
 #if HWY_ONCE
 namespace pxm::host::wide {
 
-HWY_EXPORT(see);
+HWY_EXPORT(shade);
 
-std::uint64_t see_cells(const WideScene& scene, Workspace& work, std::uint64_t rays,
-                        SeenCell* const* seen) {
-    if (work.paths_of != work.bundle_number) {
-        work.paths_of = work.bundle_number;
+std::uint64_t shade_hits(const WideScene& scene, Workspace& work, std::uint64_t rays,
+                         ShadedHit* const* seen) {
+    if (work.paths_of != work.packet_number) {
+        work.paths_of = work.packet_number;
         work.paths_used = 0;
     }
-    return HWY_DYNAMIC_DISPATCH(see)(scene, work, rays, seen);
+    return HWY_DYNAMIC_DISPATCH(shade)(scene, work, rays, seen);
 }
 
 }  // namespace pxm::host::wide

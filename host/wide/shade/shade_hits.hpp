@@ -16,14 +16,14 @@ struct Workspace : SearchWorkspace {
     std::vector<Path> paths;
     std::size_t paths_used = 0;
     std::uint64_t paths_of = 0;  // the packet that they are of
-    SeenTogether seen_together;
+    HitLanes hit_lanes;
     std::vector<EnclosingNormal> enclosing;  // of the ray that is being looked at
 };
 
-/// Looks at what rays of the bundle have found, a bit each, and fills in `seen[ray]`. Returns those
+/// Looks at what rays of the packet have found, a bit each, and fills in `seen[ray]`. Returns those
 /// whose walk along the path confirms it in float: of the others the reference kernels are to
 /// judge.
-[[nodiscard]] std::uint64_t see_cells(const WideScene& scene, Workspace& work, std::uint64_t rays,
-                                      SeenCell* const* seen);
+[[nodiscard]] std::uint64_t shade_hits(const WideScene& scene, Workspace& work, std::uint64_t rays,
+                                       ShadedHit* const* seen);
 
 }  // namespace pxm::host::wide

@@ -25,7 +25,7 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// What came of the walks along the paths, a bit for each lane.
-struct WalkedTogether {
+struct WalkedLanes {
     std::uint64_t confirmed = 0;
     std::uint64_t unsure = 0;   // a shared cell is entered so near the ray's start that a float may
                                 // take it for behind
@@ -35,14 +35,13 @@ struct WalkedTogether {
 /// Walks the paths from the objects on. A walk is confirmed if the ray meets every cell within its
 /// parent's interval, and the last cell alone is terminal. Leaves the depths and total normals.
 template <int lanes>
-inline WalkedTogether walk_together(const Path& path, const PathWeights& weights,
-                                    std::uint32_t last_level, float pixel_least, int most,
-                                    SeenTogether& t) {
+inline WalkedLanes walk_lanes(const Path& path, const PathWeights& weights,
+                              std::uint32_t last_level, float pixel_least, int most, HitLanes& t) {
     const hn::CappedTag<float, lanes> d;
     const hn::RebindToSigned<decltype(d)> di;
     using V = hn::VFromD<decltype(d)>;
     const V zero = hn::Zero(d), close = hn::Set(d, 0x1p-16F), one = hn::Set(d, 1.0F);
-    WalkedTogether walked;
+    WalkedLanes walked;
     for (int lane = 0; lane < t.count; lane += static_cast<int>(hn::Lanes(d))) {
         const V start = hn::LoadU(d, t.start + lane);
         const V pixel_base = hn::LoadU(d, t.pixel_base + lane);
@@ -105,7 +104,7 @@ inline WalkedTogether walk_together(const Path& path, const PathWeights& weights
         const V length = hn::Sqrt(dot(sum, sum));
         hn::StoreU(key, d, t.depth + lane);
         store3(Lanes3<V>{hn::Div(sum.x, length), hn::Div(sum.y, length), hn::Div(sum.z, length)}, d,
-               t.normal[0] + lane, SeenTogether::most_lanes);
+               t.normal[0] + lane, HitLanes::most_lanes);
         walked.confirmed |= lane_bits(d, confirmed) << lane;
         walked.unsure |= lane_bits(d, unsure) << lane;
         walked.entered |= lane_bits(d, entered) << lane;
@@ -117,11 +116,11 @@ inline WalkedTogether walk_together(const Path& path, const PathWeights& weights
 /// in; otherwise the last one gives that where it goes out.
 inline float face_lamp(const WideScene& scene, Workspace& work, const Path& path,
                        const PathWeights& weights, const CompiledLight& light, int lane,
-                       bool entered, const SeenTogether& t) {
+                       bool entered, const HitLanes& t) {
     const int ray = t.rays[static_cast<std::size_t>(lane)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(path.object)];
-    PointLightSum sum(work.bundle, ray, to_frame(work.bundle, light.place - work.bundle.origin));
-    find_enclosing(scene, object, work.bundle, ray, work.enclosing);
+    PointLightSum sum(work.packet, ray, to_frame(work.packet, light.place - work.packet.origin));
+    find_enclosing(scene, object, work.packet, ray, work.enclosing);
     for (const EnclosingNormal& cell : work.enclosing) {
         sum.add(cell.normal, cell.depth, weights.of(cell.diameter));
     }
@@ -141,9 +140,9 @@ inline float face_lamp(const WideScene& scene, Workspace& work, const Path& path
 
 /// Fills in what a ray sees; the walk along its path is confirmed.
 template <class Levels>
-inline void put_seen(const WideScene& scene, Workspace& work, const Path& path,
-                     const PathWeights& weights, int lane, bool entered, SeenTogether& t,
-                     SeenCell& seen) {
+inline void put_hit(const WideScene& scene, Workspace& work, const Path& path,
+                    const PathWeights& weights, int lane, bool entered, HitLanes& t,
+                    ShadedHit& seen) {
     glm::vec3 normal{t.normal[0][lane], t.normal[1][lane], t.normal[2][lane]};
     if (!entered) {
         leave_last_level<Levels>(path, lane, t);
@@ -152,7 +151,7 @@ inline void put_seen(const WideScene& scene, Workspace& work, const Path& path,
         sum.add({hits[2][lane], hits[3][lane], hits[4][lane]}, 1);
         normal = sum.normal();
     }
-    normal = to_scene(work.bundle, normal);
+    normal = to_scene(work.packet, normal);
     seen.normal = {normal.x, normal.y, normal.z};
     seen.facing.resize(scene.lights.size());
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {  // Eq. 17.1
@@ -161,7 +160,7 @@ inline void put_seen(const WideScene& scene, Workspace& work, const Path& path,
                              ? std::max(0.0F, glm::dot(normal, glm::vec3{light.place}))
                              : face_lamp(scene, work, path, weights, light, lane, entered, t);
     }
-    const SeenWord& word = t.words[static_cast<std::size_t>(lane)];
+    const HitWord& word = t.words[static_cast<std::size_t>(lane)];
     seen.color = word.color;
     seen.word = finished_hash(word.hash);
     seen.depth = path.start_base + static_cast<double>(t.depth[lane]);
@@ -171,18 +170,18 @@ inline void put_seen(const WideScene& scene, Workspace& work, const Path& path,
 
 /// Where the rays are in the cells of their paths, and what they find on the way.
 template <class Levels, int lanes>
-inline WalkedTogether walk_paths(const WideObject& object, const PathWeights& weights,
-                                 float pixel_least, Path& path, SeenTogether& t) {
+inline WalkedLanes walk_paths(const WideObject& object, const PathWeights& weights,
+                              float pixel_least, Path& path, HitLanes& t) {
     const int most = *std::max_element(t.levels, t.levels + t.count);
     meet_own_levels<Levels, lanes>(path, most - path.shared, t);
     while (true) {
         if (path.deep) {
-            meet_shared_levels<Levels, lanes>(path, path.twice, t);
+            meet_shared_levels<Levels, lanes>(path, path.f64, t);
         } else {
             meet_shared_levels<Levels, lanes>(path, path.rows, t);
         }
-        const WalkedTogether walked =
-            walk_together<lanes>(path, weights, object.levels, pixel_least, most, t);
+        const WalkedLanes walked =
+            walk_lanes<lanes>(path, weights, object.levels, pixel_least, most, t);
         if (path.deep || walked.unsure == 0) return walked;
         path.deep = true;
     }
@@ -190,54 +189,53 @@ inline WalkedTogether walk_paths(const WideObject& object, const PathWeights& we
 
 /// Looks at what the rays in the lanes have found. Returns those whose walk is confirmed.
 template <class Levels>
-inline std::uint64_t see_below(const WideScene& scene, Workspace& work, Path& path,
-                               SeenCell* const* seen) {
+inline std::uint64_t shade_below(const WideScene& scene, Workspace& work, Path& path,
+                                 ShadedHit* const* seen) {
     constexpr int few = 4;  // rays
-    SeenTogether& t = work.seen_together;
+    HitLanes& t = work.hit_lanes;
     const WideObject& object = scene.objects[static_cast<std::size_t>(path.object)];
     t.enclosed = object.enclosing >= 0;
     const float outermost =
         t.enclosed ? static_cast<float>(object.widest) : path.rows[0][Path::diameter];
     const PathWeights weights{scene.shading, outermost};
     const auto least = static_cast<float>(scene.detail * object.smallest_pixel);
-    if (t.enclosed) take_enclosing(scene, object, work.bundle, weights, t);
-    const WalkedTogether walked =
-        t.count <= few
-            ? walk_paths<Levels, few>(object, weights, least, path, t)
-            : walk_paths<Levels, SeenTogether::most_lanes>(object, weights, least, path, t);
+    if (t.enclosed) take_enclosing(scene, object, work.packet, weights, t);
+    const WalkedLanes walked =
+        t.count <= few ? walk_paths<Levels, few>(object, weights, least, path, t)
+                       : walk_paths<Levels, HitLanes::most_lanes>(object, weights, least, path, t);
     std::uint64_t confirmed = 0;
     for (int lane = 0; lane < t.count; ++lane) {
         if ((walked.confirmed >> lane & 1) == 0) continue;
         const int ray = t.rays[static_cast<std::size_t>(lane)];
         const bool entered = (walked.entered >> lane & 1) != 0;
-        put_seen<Levels>(scene, work, path, weights, lane, entered, t, *seen[ray]);
+        put_hit<Levels>(scene, work, path, weights, lane, entered, t, *seen[ray]);
         confirmed |= std::uint64_t{1} << ray;
     }
     return confirmed;
 }
 
-inline std::uint64_t see_kind(const WideScene& scene, Workspace& work, Path& path,
-                              SeenCell* const* seen) {
+inline std::uint64_t shade_kind(const WideScene& scene, Workspace& work, Path& path,
+                                ShadedHit* const* seen) {
     switch (path.kind) {
         case Path::Kind::balls:
-            return see_below<BallLevels>(scene, work, path, seen);
+            return shade_below<BallLevels>(scene, work, path, seen);
         case Path::Kind::boxes:
-            return see_below<BoxLevels>(scene, work, path, seen);
+            return shade_below<BoxLevels>(scene, work, path, seen);
         case Path::Kind::balls_of_maps:
-            return see_below<MapLevels<true>>(scene, work, path, seen);
+            return shade_below<MapLevels<true>>(scene, work, path, seen);
         case Path::Kind::boxes_of_maps:
             break;
     }
-    return see_below<MapLevels<false>>(scene, work, path, seen);
+    return shade_below<MapLevels<false>>(scene, work, path, seen);
 }
 
 /// Looks at what the rays of a path have found, some at a time. Returns those whose walk is
 /// confirmed.
-inline std::uint64_t see_path(const WideScene& scene, Workspace& work, Path& path,
-                              SeenCell* const* seen) {
-    const hn::CappedTag<float, SeenTogether::most_lanes> d;
+inline std::uint64_t shade_path(const WideScene& scene, Workspace& work, Path& path,
+                                ShadedHit* const* seen) {
+    const hn::CappedTag<float, HitLanes::most_lanes> d;
     const auto most = static_cast<int>(hn::Lanes(d));
-    SeenTogether& t = work.seen_together;
+    HitLanes& t = work.hit_lanes;
     const bool fixed = path.kind == Path::Kind::balls || path.kind == Path::Kind::boxes;
     std::uint64_t confirmed = 0;
     std::uint64_t rays = path.rays;
@@ -249,10 +247,10 @@ inline std::uint64_t see_path(const WideScene& scene, Workspace& work, Path& pat
             const bool taken = fixed ? take_own_homotheties(scene, work, path, found, t.count, t)
                                      : take_own_maps(scene, work, path, found, t.count, t);
             if (!taken) continue;
-            take_ray(scene, work.bundle, path, ray, t.count, t);
+            take_ray(scene, work.packet, path, ray, t.count, t);
             t.rays[static_cast<std::size_t>(t.count++)] = ray;
         }
-        if (t.count > 0) confirmed |= see_kind(scene, work, path, seen);
+        if (t.count > 0) confirmed |= shade_kind(scene, work, path, seen);
     }
     path.rays = 0;
     return confirmed;
@@ -260,19 +258,19 @@ inline std::uint64_t see_path(const WideScene& scene, Workspace& work, Path& pat
 
 /// Shades what rays of the packet have found; `seen[ray]` is filled in. Returns those whose walk
 /// is confirmed.
-inline std::uint64_t see(const WideScene& scene, Workspace& work, std::uint64_t rays,
-                         SeenCell* const* seen) {
+inline std::uint64_t shade(const WideScene& scene, Workspace& work, std::uint64_t rays,
+                           ShadedHit* const* seen) {
     for (; rays != 0; rays &= rays - 1) {
         const Found& found = work.found[static_cast<std::size_t>(std::countr_zero(rays))];
         const bool fixed = found.below_count >= 0;
-        Path* path =
-            fixed ? path_of_fixed(scene, work, found.start) : path_of(scene, work, found.start);
+        Path* path = fixed ? path_of_homotheties(scene, work, found.start)
+                           : path_of(scene, work, found.start);
         if (path == nullptr) continue;
         path->rays |= rays & (~rays + 1);
     }
     std::uint64_t confirmed = 0;
     for (std::size_t i = 0; i < work.paths_used; ++i) {
-        if (work.paths[i].rays != 0) confirmed |= see_path(scene, work, work.paths[i], seen);
+        if (work.paths[i].rays != 0) confirmed |= shade_path(scene, work, work.paths[i], seen);
     }
     return confirmed;
 }

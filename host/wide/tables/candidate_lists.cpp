@@ -46,12 +46,11 @@ ListedCells whole_table(const HomothetyTable& table, const LaneTable<float>& cen
             table.count};
 }
 
-void AspectTable::make(const HomothetyTable& table, const glm::dmat3& to_frame,
-                       const AspectView& view) {
+void CandidateLists::make(const HomothetyTable& table, const glm::dmat3& to_frame,
+                          const ViewFrame& view) {
     if (centers_.empty()) centers_ = LaneTable<float>(3, table.stride);
     for (int i = 0; i < table.count; ++i) {
-        const glm::dvec3 center{table.twice.row(0)[i], table.twice.row(1)[i],
-                                table.twice.row(2)[i]};
+        const glm::dvec3 center{table.f64.row(0)[i], table.f64.row(1)[i], table.f64.row(2)[i]};
         const glm::dvec3 turned = to_frame * center;
         for (int axis = 0; axis < 3; ++axis) {
             centers_.row(axis)[i] = static_cast<float>(turned[axis]);
@@ -63,7 +62,7 @@ void AspectTable::make(const HomothetyTable& table, const glm::dmat3& to_frame,
 
 /// Divides the plane across into squares: `room` is how far from a cell's centre a ray may pass and
 /// still meet it.
-void AspectTable::divide(const HomothetyTable& table, const std::vector<float>& room) {
+void CandidateLists::divide(const HomothetyTable& table, const std::vector<float>& room) {
     constexpr float squares_per_radius = 1;
     constexpr int most_side = 64;
     const float* radius = table.rows.row(HomothetyTable::scale);
@@ -82,7 +81,7 @@ void AspectTable::divide(const HomothetyTable& table, const std::vector<float>& 
 
 /// Calls `each(square)` for those that a disc touches.
 template <class Each>
-void AspectTable::for_squares(float x, float y, float room, const Each& each) const {
+void CandidateLists::for_squares(float x, float y, float room, const Each& each) const {
     const float width = 1 / per_square_;
     const int last = place(y + room);
     for (int row = place(y - room); row <= last; ++row) {
@@ -98,7 +97,7 @@ void AspectTable::for_squares(float x, float y, float room, const Each& each) co
     }
 }
 
-void AspectTable::list(const HomothetyTable& table, const AspectView& view) {
+void CandidateLists::list(const HomothetyTable& table, const ViewFrame& view) {
     const float *x = centers_.row(0), *y = centers_.row(1), *z = centers_.row(2);
     const float* radius = table.rows.row(HomothetyTable::scale);
     const float* diameter = table.rows.row(HomothetyTable::diameter);

@@ -27,7 +27,7 @@ struct ListedCells {
 
 /// Rays go along z of the view's frame, more or less: a ray moves sideways by (a, b) per depth,
 /// where a^2 + b^2 <= reach^2.
-struct AspectView {
+struct ViewFrame {
     glm::dvec3 axis[3];  // unit vectors in scene units, perpendicular
     double reach = 0;
     bool shared = false;  // by so many rays that lists are worth their making
@@ -35,10 +35,10 @@ struct AspectView {
 
 /// The cells of a HomothetyTable as they are seen. What the list of a square holds lies side by
 /// side in each row.
-class AspectTable {
+class CandidateLists {
   public:
     /// Turns the table into the frame, and makes the lists if the view is shared.
-    void make(const HomothetyTable& table, const glm::dmat3& to_frame, const AspectView& view);
+    void make(const HomothetyTable& table, const glm::dmat3& to_frame, const ViewFrame& view);
 
     /// The cells that a ray may meet that is at (x, y) where it passes the centre's depth.
     [[nodiscard]] ListedCells at(const HomothetyTable& table, float x, float y) const {
@@ -60,7 +60,7 @@ class AspectTable {
     [[nodiscard]] int place(float beside) const {
         return static_cast<int>(std::clamp((beside + half_width_) * per_square_, 0.0F, last_));
     }
-    void list(const HomothetyTable& table, const AspectView& view);
+    void list(const HomothetyTable& table, const ViewFrame& view);
     void divide(const HomothetyTable& table, const std::vector<float>& room);
     template <class Each>
     void for_squares(float x, float y, float room, const Each& each) const;

@@ -19,7 +19,8 @@ constexpr double least_pace = 0.7;      // of a part's rays along its axis: few 
 
 }  // namespace
 
-void Aspect::make(AspectTable& table, const glm::dmat3& turn, const HomothetyTable& cells) const {
+void CandidateView::make(CandidateLists& table, const glm::dmat3& turn,
+                         const HomothetyTable& cells) const {
     glm::dmat3 to_frame;
     for (int axis = 0; axis < 3; ++axis) {
         const glm::dvec3 unit = glm::normalize(turn * view.axis[axis]);
@@ -32,7 +33,7 @@ void Aspect::make(AspectTable& table, const glm::dmat3& turn, const HomothetyTab
 namespace {
 
 /// Axes that look along w.
-void look_along(AspectView& view, const glm::dvec3& w) {
+void look_along(ViewFrame& view, const glm::dvec3& w) {
     const glm::dvec3 other = std::abs(w.x) < 0.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0};
     view.axis[2] = w;
     view.axis[0] = glm::normalize(glm::cross(other, w));
@@ -40,9 +41,9 @@ void look_along(AspectView& view, const glm::dvec3& w) {
 }
 
 /// The part of the picture whose first pixel is (left, top).
-AspectView view_of_part(const WideScene& scene, long left, long top) {
+ViewFrame view_of_part(const WideScene& scene, long left, long top) {
     const CompiledCamera& camera = scene.camera;
-    AspectView view;
+    ViewFrame view;
     view.shared = true;
     if (camera.projection != kernels::Projection::perspective) {
         look_along(view, glm::normalize(camera.forward));
@@ -52,8 +53,8 @@ AspectView view_of_part(const WideScene& scene, long left, long top) {
         return glm::normalize(camera.corner + camera.across * static_cast<double>(column) +
                               camera.down * static_cast<double>(row));
     };
-    const long right = std::min(left + scene.aspect_side, scene.size.columns);
-    const long bottom = std::min(top + scene.aspect_side, scene.size.rows);
+    const long right = std::min(left + scene.candidate_view_side, scene.size.columns);
+    const long bottom = std::min(top + scene.candidate_view_side, scene.size.rows);
     glm::dvec3 middle{0.0};
     for (const long row : {top, bottom}) {
         for (const long column : {left, right}) middle += ray(column, row);
@@ -71,7 +72,7 @@ AspectView view_of_part(const WideScene& scene, long left, long top) {
 
 }  // namespace
 
-long aspect_side(const CompiledCamera& camera, const PixelSize& size) {
+long candidate_view_side(const CompiledCamera& camera, const PixelSize& size) {
     constexpr double widest = 0.1;  // of the tangents that rays of a part may have between them
     constexpr long least = 4 * tile_side;
     const long whole = (std::max(size.columns, size.rows) / tile_side + 1) * tile_side;
@@ -86,62 +87,66 @@ long aspect_side(const CompiledCamera& camera, const PixelSize& size) {
 
 namespace {
 
-void begin(Aspect& aspect, const AspectView& view) {
-    aspect.view = view;
-    ++aspect.number;
+void begin(CandidateView& candidate_view, const ViewFrame& view) {
+    candidate_view.view = view;
+    ++candidate_view.number;
 }
 
-Aspect& own_aspect(const RayBundle& bundle, Aspect& aspect) {
-    begin(aspect, {{bundle.axis[0], bundle.axis[1], bundle.axis[2]}, 0, false});
-    return aspect;
+CandidateView& own_candidate_view(const RayPacket& packet, CandidateView& candidate_view) {
+    begin(candidate_view, {{packet.axis[0], packet.axis[1], packet.axis[2]}, 0, false});
+    return candidate_view;
 }
 
 /// That of the part of the picture in which a tile's first pixel is.
-Aspect& aspect_of_part(const WideScene& scene, const AspectOf& of, Aspect& aspect) {
-    const long side = scene.aspect_side, column = of.column / side, row = of.row / side;
-    if (aspect.number > 0 && aspect.column == column && aspect.row == row) return aspect;
-    aspect.column = column;
-    aspect.row = row;
-    begin(aspect, view_of_part(scene, column * side, row * side));
-    return aspect;
+CandidateView& candidate_view_of_part(const WideScene& scene, const CandidateViewOf& of,
+                                      CandidateView& candidate_view) {
+    const long side = scene.candidate_view_side, column = of.column / side, row = of.row / side;
+    if (candidate_view.number > 0 && candidate_view.column == column && candidate_view.row == row)
+        return candidate_view;
+    candidate_view.column = column;
+    candidate_view.row = row;
+    begin(candidate_view, view_of_part(scene, column * side, row * side));
+    return candidate_view;
 }
 
-Aspect& aspect_of_light(const WideScene& scene, std::size_t light, Aspect& aspect) {
+CandidateView& candidate_view_of_light(const WideScene& scene, std::size_t light,
+                                       CandidateView& candidate_view) {
     constexpr double parallel = 1e-6;  // what rounding makes of it
-    if (aspect.number > 0) return aspect;
-    AspectView view;
+    if (candidate_view.number > 0) return candidate_view;
+    ViewFrame view;
     view.reach = parallel;
     view.shared = true;
     look_along(view, scene.lights[light].place);
-    begin(aspect, view);
-    return aspect;
+    begin(candidate_view, view);
+    return candidate_view;
 }
 
 }  // namespace
 
-Aspect& aspect_of(const WideScene& scene, const RayBundle& bundle, std::vector<Aspect>& aspects) {
-    const AspectOf& of = bundle.aspect;
+CandidateView& candidate_view_of(const WideScene& scene, const RayPacket& packet,
+                                 std::vector<CandidateView>& candidate_views) {
+    const CandidateViewOf& of = packet.candidate_view;
     const bool has_lists = scene.turns.size() <= most_turns &&
                            scene.turns.size() * scene.composed_cells <= most_listed;
     const std::size_t lights = has_lists ? std::min(scene.lights.size(), most_lights) : 0;
-    if (aspects.empty()) {
-        aspects = std::vector<Aspect>(has_lists ? 2 + lights : 1);
-        for (Aspect& aspect : aspects) {
-            aspect.tables.resize(scene.turns.size() * scene.sets.size() *
-                                 HomothetyTable::most_steps);
+    if (candidate_views.empty()) {
+        candidate_views = std::vector<CandidateView>(has_lists ? 2 + lights : 1);
+        for (CandidateView& candidate_view : candidate_views) {
+            candidate_view.tables.resize(scene.turns.size() * scene.sets.size() *
+                                         HomothetyTable::most_steps);
         }
     }
     if (has_lists) {
-        if (of.kind == AspectOf::Kind::light && of.column < static_cast<long>(lights)) {
+        if (of.kind == CandidateViewOf::Kind::light && of.column < static_cast<long>(lights)) {
             const auto light = static_cast<std::size_t>(of.column);
-            return aspect_of_light(scene, light, aspects[2 + light]);
+            return candidate_view_of_light(scene, light, candidate_views[2 + light]);
         }
-        if (of.kind == AspectOf::Kind::eye) {
-            Aspect& part = aspect_of_part(scene, of, aspects[1]);
+        if (of.kind == CandidateViewOf::Kind::eye) {
+            CandidateView& part = candidate_view_of_part(scene, of, candidate_views[1]);
             if (part.view.shared) return part;
         }
     }
-    return own_aspect(bundle, aspects[0]);
+    return own_candidate_view(packet, candidate_views[0]);
 }
 
 }  // namespace pxm::host::wide

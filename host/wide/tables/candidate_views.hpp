@@ -17,37 +17,37 @@
 namespace pxm::host::wide {
 
 /// The tables of a scene in one view, each made when it is first asked for.
-struct Aspect {
-    AspectView view;
+struct CandidateView {
+    ViewFrame view;
     std::uint64_t number = 0;    // another one for every view
     long column = -1, row = -1;  // of the picture's part
-    std::vector<std::unique_ptr<AspectTable>> tables;
+    std::vector<std::unique_ptr<CandidateLists>> tables;
 
-    [[nodiscard]] const AspectTable& table(const WideScene& scene, int object, int set,
-                                           const HomothetyTable& cells) {
+    [[nodiscard]] const CandidateLists& table(const WideScene& scene, int object, int set,
+                                              const HomothetyTable& cells) {
         const auto turn =
             static_cast<std::size_t>(scene.objects[static_cast<std::size_t>(object)].turn);
         const std::size_t turned = turn * scene.sets.size() + static_cast<std::size_t>(set);
-        std::unique_ptr<AspectTable>& table =
+        std::unique_ptr<CandidateLists>& table =
             tables[turned * HomothetyTable::most_steps + static_cast<std::size_t>(cells.steps) - 1];
-        if (!table) table = std::make_unique<AspectTable>();
+        if (!table) table = std::make_unique<CandidateLists>();
         if (table->made_for != number) make(*table, scene.turns[turn], cells);
         return *table;
     }
 
   private:
-    void make(AspectTable& table, const glm::dmat3& turn, const HomothetyTable& cells) const;
+    void make(CandidateLists& table, const glm::dmat3& turn, const HomothetyTable& cells) const;
 };
 
-struct AspectOf;
-struct RayBundle;
+struct CandidateViewOf;
+struct RayPacket;
 
-/// The view of a packet, of those kept in `aspects`: its own, where rays of a part of the picture
-/// go too far aside, or objects are turned in too many ways.
-[[nodiscard]] Aspect& aspect_of(const WideScene& scene, const RayBundle& bundle,
-                                std::vector<Aspect>& aspects);
+/// The view of a packet, of those kept in `candidate_views`: its own, where rays of a part of the
+/// picture go too far aside, or objects are turned in too many ways.
+[[nodiscard]] CandidateView& candidate_view_of(const WideScene& scene, const RayPacket& packet,
+                                               std::vector<CandidateView>& candidate_views);
 
 /// The side in pixels of the parts of a picture that share a view, a multiple of tile_side.
-[[nodiscard]] long aspect_side(const CompiledCamera& camera, const PixelSize& size);
+[[nodiscard]] long candidate_view_side(const CompiledCamera& camera, const PixelSize& size);
 
 }  // namespace pxm::host::wide

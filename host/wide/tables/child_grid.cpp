@@ -13,7 +13,7 @@ constexpr double rounding = 1e-6;
 
 /// The different values of a row, in order; more than most_slices of them if they are no slices.
 std::vector<double> values_of(const HomothetyTable& children, int row) {
-    const double* numbers = children.twice.row(row);
+    const double* numbers = children.f64.row(row);
     std::vector<double> values(numbers, numbers + children.count);
     std::ranges::sort(values);
     const auto close = [](double a, double b) { return b - a <= rounding; };
@@ -53,7 +53,7 @@ ChildGrid find_grid(const HomothetyTable& children) {
         int slice[3];
         for (int axis = 0; axis < 3; ++axis) {
             slice[axis] = slice_of(centers[static_cast<std::size_t>(axis)],
-                                   children.twice.row(HomothetyTable::center + axis)[lane]);
+                                   children.f64.row(HomothetyTable::center + axis)[lane]);
         }
         if (grid.lane_at(slice) >= 0) return {};  // two children in one place
         grid.lanes[static_cast<std::size_t>(

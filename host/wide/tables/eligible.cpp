@@ -63,11 +63,11 @@ ObjectMethod wide_method(const CompiledScene& scene, const CompiledObject& objec
                          const WideObject& wide, const std::vector<WideSet>& sets) {
     const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
     if (scene.area) return {object.name, "wide, beams", "local covers by area"};
-    if (!wide.fixed_direction) {
+    if (!wide.of_homotheties) {
         const bool many = shape.maps.size() > static_cast<std::size_t>(opened_cell_room);
         return {object.name, "wide, composed maps",
-                has_fixed_direction(scene, object) && many ? "very many maps"
-                                                           : "maps that are no homotheties"};
+                is_of_homotheties(scene, object) && many ? "very many maps"
+                                                         : "maps that are no homotheties"};
     }
     if (wide.grid) return {object.name, "wide, grid walk", "homotheties to boxes in slices"};
     const std::vector<HomothetyTable>& composed = sets[static_cast<std::size_t>(wide.set)].composed;
@@ -88,9 +88,8 @@ std::string why_not_any(const CompiledScene& scene, const std::vector<std::strin
     if (scene.objects.empty()) return "there is no object";
     for (std::size_t i = 0; i < why_not.size(); ++i) {
         if (scene.area && !why_not[i].empty()) {  // the cells of all objects share a pixel's places
-            return fmt::format(
-                "object \"{}\" {}, and local covers by area are done by one engine",
-                scene.objects[i].name, why_not[i]);
+            return fmt::format("object \"{}\" {}, and local covers by area are done by one engine",
+                               scene.objects[i].name, why_not[i]);
         }
     }
     const auto first = std::ranges::find(why_not, "");
@@ -104,14 +103,14 @@ std::vector<std::string> why_not_objects(const CompiledScene& scene) {
     const std::vector<bool> crowded = crowded_shapes(scene);
     std::vector<std::string> reasons;
     for (const CompiledObject& object : scene.objects) {
-        reasons.push_back(
-            why_not(scene, object, crowded[static_cast<std::size_t>(object.shape)]));
+        reasons.push_back(why_not(scene, object, crowded[static_cast<std::size_t>(object.shape)]));
     }
     return reasons;
 }
 
 std::string why_not_wide(const CompiledScene& scene, Numeric numeric) {
-    if (numeric == Numeric::twice) return "the numbers are double, and the wide engine's are float";
+    if (numeric == Numeric::double_)
+        return "the numbers are double, and the wide engine's are float";
     if (numeric == Numeric::dsp32) return "the numbers are dsp32, and the wide engine's are float";
     return why_not_any(scene, why_not_objects(scene));
 }

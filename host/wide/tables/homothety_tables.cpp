@@ -32,7 +32,7 @@ bool is_homothety(const Affine& map) {
 
 /// The one scale of a child to its parent in unit coordinates; 0 if axes have scales of their own.
 double scale_of(const WideSet& set, int lane) {
-    const auto step = [&](int axis) { return set.twice.row(ChildField::linear + 4 * axis)[lane]; };
+    const auto step = [&](int axis) { return set.f64.row(ChildField::linear + 4 * axis)[lane]; };
     for (int axis = 1; axis < 3; ++axis) {
         if (std::abs(step(axis) - step(0)) > rounding * step(0)) return 0;
     }
@@ -43,8 +43,8 @@ double scale_of(const WideSet& set, int lane) {
 glm::dvec3 center_of(const WideSet& set, int lane) {
     glm::dvec3 center;
     for (int axis = 0; axis < 3; ++axis) {
-        center[axis] = -set.twice.row(ChildField::offset + axis)[lane] /
-                       set.twice.row(ChildField::linear + 4 * axis)[lane];
+        center[axis] = -set.f64.row(ChildField::offset + axis)[lane] /
+                       set.f64.row(ChildField::linear + 4 * axis)[lane];
     }
     return center;
 }
@@ -86,13 +86,13 @@ std::vector<Step> steps_of(const WideScene& scene, int set_index) {
     const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
     std::vector<Step> steps;
     for (int lane = 0; lane < set.count; ++lane) {
-        const double constant = set.twice.row(ChildField::constant)[lane];
+        const double constant = set.f64.row(ChildField::constant)[lane];
         steps.push_back({set.sets[static_cast<std::size_t>(lane)],
                          {static_cast<std::uint16_t>(lane)},
                          center_of(set, lane),
                          scale_of(set, lane),
                          constant,
-                         constant * set.twice.row(ChildField::diameter)[lane]});
+                         constant * set.f64.row(ChildField::diameter)[lane]});
     }
     return steps;
 }
@@ -104,12 +104,12 @@ HomothetyTable table_of(const std::vector<Step>& cells, int steps, double least_
     table.steps = steps;
     table.least_skipped = static_cast<float>(least_skipped);
     table.rows = LaneTable<float>(HomothetyTable::row_count, table.stride);
-    table.twice = LaneTable<double>(HomothetyTable::row_count, table.stride);
+    table.f64 = LaneTable<double>(HomothetyTable::row_count, table.stride);
     for (const Step& cell : cells) {
         const auto lane = table.lanes.size();
         const auto row = [&](int i, double x) {
             table.rows.row(i)[lane] = static_cast<float>(x);
-            table.twice.row(i)[lane] = x;
+            table.f64.row(i)[lane] = x;
         };
         for (int axis = 0; axis < 3; ++axis) row(HomothetyTable::center + axis, cell.center[axis]);
         row(HomothetyTable::scale, cell.scale);
@@ -187,7 +187,7 @@ void find_turns(WideScene& scene) {
         std::max<std::size_t>(1, most_turned_sets / std::max<std::size_t>(1, scene.sets.size()));
     for (WideObject& object : scene.objects) {
         const bool alone = scene.sets[static_cast<std::size_t>(object.set)].count == 0;
-        if (!object.fixed_direction || !object.spheres || alone) continue;
+        if (!object.of_homotheties || !object.spheres || alone) continue;
         glm::dmat3 turn;
         for (int axis = 0; axis < 3; ++axis) {
             turn[axis] = glm::normalize(object.to_unit.direction(glm::dmat3{1}[axis]));
@@ -198,7 +198,7 @@ void find_turns(WideScene& scene) {
                    glm::length(turn[2] - other[2]) < alike;
         });
         if (same == scene.turns.end() && scene.turns.size() == most) {
-            object.fixed_direction = false;
+            object.of_homotheties = false;
             continue;
         }
         object.turn = static_cast<int>(same - scene.turns.begin());
@@ -236,7 +236,7 @@ bool find_grids(WideScene& scene, int first, std::vector<bool>& seen) {
 
 }  // namespace
 
-bool has_fixed_direction(const CompiledScene& scene, const CompiledObject& object) {
+bool is_of_homotheties(const CompiledScene& scene, const CompiledObject& object) {
     const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
     if (shape.lipschitz == kernels::Lipschitz::polar) return false;
     if (singular_values(object.instance.linear).values[2] <
@@ -258,7 +258,7 @@ void tabulate_homotheties(WideScene& scene) {
     std::vector<bool> done(scene.sets.size(), false);
     std::vector<int> waiting;
     for (const WideObject& object : scene.objects) {
-        if (object.fixed_direction) waiting.push_back(object.set);
+        if (object.of_homotheties) waiting.push_back(object.set);
     }
     while (!waiting.empty()) {
         const int index = waiting.back();
@@ -270,11 +270,11 @@ void tabulate_homotheties(WideScene& scene) {
         waiting.insert(waiting.end(), next.begin(), next.end());
     }
     for (WideObject& object : scene.objects) {
-        if (!object.fixed_direction) continue;
+        if (!object.of_homotheties) continue;
         object.hull = hull_points(scene, object);
         std::vector<bool> seen(scene.sets.size(), false);
         object.grid = !object.spheres && find_grids(scene, object.set, seen);
-        if (!object.grid && has_many_children(scene, object.set)) object.fixed_direction = false;
+        if (!object.grid && has_many_children(scene, object.set)) object.of_homotheties = false;
     }
     find_turns(scene);
 }

@@ -9,7 +9,7 @@ namespace pxm::host::wide {
 /// Whether all maps are homotheties of positive ratio, the cells of all maps lie within their
 /// parents', all volumes are balls or all are boxes of one shape, and the object itself is not
 /// squashed (balls stay balls).
-[[nodiscard]] bool has_fixed_direction(const CompiledScene& scene, const CompiledObject& object);
+[[nodiscard]] bool is_of_homotheties(const CompiledScene& scene, const CompiledObject& object);
 
 /// Fills in the homothety tables of the sets of such objects. One whose cells have more children
 /// than a ray keeps of an opened cell (opened_cell_room), and which is no grid, loses its fixed

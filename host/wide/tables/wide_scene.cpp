@@ -78,16 +78,16 @@ WideSet make_set(const CompiledScene& scene, const CompiledShape& shape, const C
     wide.count = static_cast<int>(set.maps.size());
     wide.stride = (wide.count + table_step - 1) / table_step * table_step;
     wide.polar = shape.lipschitz == kernels::Lipschitz::polar;
-    wide.twice = LaneTable<double>(ChildField::count, wide.stride);
-    wide.single = LaneTable<float>(ChildField::count, wide.stride);
+    wide.f64 = LaneTable<double>(ChildField::count, wide.stride);
+    wide.f32 = LaneTable<float>(ChildField::count, wide.stride);
     if (scene.area) wide.beams = LaneTable<double>(BeamField::count, wide.stride);
     for (int lane = 0; lane < wide.count; ++lane) {
         const int symbol = set.maps[static_cast<std::size_t>(lane)];
         const CompiledMap& map = shape.maps[static_cast<std::size_t>(symbol)];
         const CompiledVolume& inner = shape.sets[static_cast<std::size_t>(map.follow_set)].volume;
         const Affine step = into_unit(then(from_unit(set.volume), inverse(map.map)), inner);
-        write_child(wide.twice, lane, step, map, inner.diameter);
-        write_child(wide.single, lane, step, map, inner.diameter);
+        write_child(wide.f64, lane, step, map, inner.diameter);
+        write_child(wide.f32, lane, step, map, inner.diameter);
         if (scene.area) write_beam(wide.beams, lane, step, inner);
         wide.maps.push_back(symbol);
         wide.colors.push_back({static_cast<float>(map.color.r), static_cast<float>(map.color.g),
@@ -119,7 +119,7 @@ WideScene make_wide_scene(const CompiledScene& scene) {
     WideScene wide;
     wide.camera = scene.camera;
     wide.size = scene.size;
-    wide.aspect_side = aspect_side(scene.camera, scene.size);
+    wide.candidate_view_side = candidate_view_side(scene.camera, scene.size);
     wide.detail = scene.detail;
     wide.cell_cap = scene.cell_cap;
     wide.unit = scene.unit;
@@ -171,7 +171,7 @@ WideScene make_wide_scene(const CompiledScene& scene) {
         result.reflect = static_cast<float>(object.reflect);
         result.center = object.instance.point(volume.center);
         result.radius = lipschitz_constant(object.instance) * volume.radius;
-        result.fixed_direction = has_fixed_direction(scene, object);
+        result.of_homotheties = is_of_homotheties(scene, object);
         wide.objects.push_back(result);
     }
     tabulate_homotheties(wide);

@@ -75,7 +75,7 @@ struct HomothetyTable {
     std::vector<std::array<std::uint16_t, most_steps>> lanes;  // of each step, in the sets' tables
     std::vector<int> sets;
     LaneTable<float> rows;
-    LaneTable<double> twice;  // the same
+    LaneTable<double> f64;  // the same
 };
 
 /// What beams need of a child (host/wide/area/area_search.hpp), one row each: F and o, from its
@@ -89,7 +89,7 @@ struct BeamField {
     static constexpr int count = 16;
 };
 
-/// A follow set: its children in lanes, twice.
+/// A follow set: its children in lanes, in both widths.
 struct WideSet {
     int count = 0;
     int stride = 0;
@@ -98,11 +98,11 @@ struct WideSet {
     std::vector<int> maps;  // symbol of each child
     std::vector<std::array<float, 4>> colors;  // r, g, b, a of each child's map
     std::vector<int> sets;  // follow set of each child, counted through all shapes
-    LaneTable<double> twice;
-    LaneTable<float> single;
+    LaneTable<double> f64;
+    LaneTable<float> f32;
     LaneTable<double> beams;               // empty unless there are local covers by area
     double coverage = 1;                   // of its volume, by its attractor, on average
-    HomothetyTable children;               // empty unless the object is `fixed_direction`
+    HomothetyTable children;               // empty unless the object is `of_homotheties`
     std::vector<HomothetyTable> composed;  // of two steps, three and so on; not of all sets
     ChildGrid grid;                        // of `children`, if they are boxes in slices
 };
@@ -129,7 +129,7 @@ struct WideObject {
     bool box = false;              // the outermost volume is a box along the axes
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
-    bool fixed_direction = false;
+    bool of_homotheties = false;
     bool grid = false;  // and all its sets have their children in slices
     int turn = 0;       // of such an object with balls, in WideScene::turns
     /// Corners of the attractor's hull in unit coordinates, if it serves as a cull
@@ -143,16 +143,16 @@ struct WideObject {
 
 struct WideScene {
     std::vector<std::string> why_not;  // of each object of the compiled scene (eligible.hpp)
-    std::vector<WideSet> sets;        // of all shapes
-    std::vector<WideObject> objects;  // those that the wide engine can do
+    std::vector<WideSet> sets;         // of all shapes
+    std::vector<WideObject> objects;   // those that the wide engine can do
     /// How objects of homotheties with balls are turned: from scene to unit coordinates, lengths
     /// left.
     std::vector<glm::dmat3> turns;
     std::size_t composed_cells = 0;  // in the sets' `composed` tables
     std::vector<CompiledEnclosure> enclosures;
     CompiledCamera camera;
-    PixelSize size;        // of the whole picture
-    long aspect_side = 0;  // of its parts (host/wide/tables/candidate_views.hpp)
+    PixelSize size;                // of the whole picture
+    long candidate_view_side = 0;  // of its parts (host/wide/tables/candidate_views.hpp)
     double detail = 1;
     std::uint32_t cell_cap = 0;
     double unit = 1;

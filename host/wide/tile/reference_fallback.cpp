@@ -35,7 +35,7 @@ bool FallbackSearch::meets(const LoneRay& ray, double end) {
     return result_.outcome != kernels::Outcome::miss;
 }
 
-FallbackHit FallbackSearch::see(SeenCell& seen) {
+FallbackHit FallbackSearch::see(ShadedHit& seen) {
     const kernels::Cell<double>& cell = result_.cell;
     const kernels::Sighting<double> sighting{constants_.search, cell, 0};
     kernels::LitPlace<double> lit;

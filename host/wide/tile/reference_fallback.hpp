@@ -40,7 +40,7 @@ class FallbackSearch {
     /// Whether the ray meets a cell between its start and `end`.
     [[nodiscard]] bool meets(const LoneRay& ray, double end);
     /// What was met; the cell's depth is left as it is. Precondition: meets() was true.
-    [[nodiscard]] FallbackHit see(SeenCell& seen);
+    [[nodiscard]] FallbackHit see(ShadedHit& seen);
     /// Volumes that the last call of meets() tested.
     [[nodiscard]] std::uint32_t tested() const {
         return static_cast<std::uint32_t>(counts_.volumes_tested);

@@ -102,7 +102,7 @@ void TileTracer::render_area() {
     aim_beams();
     search_beams(wide_, *beams_);
     area_count_ = 0;
-    const std::uint64_t inside = work_.bundle.inside;  // shadows are a packet of their own
+    const std::uint64_t inside = work_.packet.inside;  // shadows are a packet of their own
     if (beams_->given_up) {
         unclear_ = inside;
     } else {
@@ -118,12 +118,12 @@ void TileTracer::render_area() {
 
 void TileTracer::aim_beams() {
     place_ = scene_.samples[0];
-    aim_at_tile(work_.bundle, scene_.camera, frame_.crop, left_, top_, place_);
+    aim_at_tile(work_.packet, scene_.camera, frame_.crop, left_, top_, place_);
     TileView& view = beams_->view = view_of(scene_.camera, left_, top_);
     view.low_x = view.low_y = std::numeric_limits<double>::infinity();
     view.high_x = view.high_y = -view.low_x;
-    beams_->open = work_.bundle.inside;
-    for (int i = 0; i < bundle_rays; ++i) aim_beam(i);
+    beams_->open = work_.packet.inside;
+    for (int i = 0; i < packet_rays; ++i) aim_beam(i);
 }
 
 void TileTracer::aim_beam(int i) {
@@ -241,9 +241,9 @@ TileTracer::AreaPlace& TileTracer::next_area_place() {
 /// (dsp_kernels/pending_rays.hpp): of more rays those that matter least are given up.
 void TileTracer::forget_least_mirrors() {
     constexpr int most = kernels::PendingRays<double>::capacity;
-    std::array<int, bundle_rays> waiting{};
+    std::array<int, packet_rays> waiting{};
     for (const PendingRay& ray : pending_) ++waiting[static_cast<std::size_t>(ray.pixel)];
-    for (int pixel = 0; pixel < bundle_rays; ++pixel) {
+    for (int pixel = 0; pixel < packet_rays; ++pixel) {
         for (int& left = waiting[static_cast<std::size_t>(pixel)]; left > most; --left) {
             const auto share = [&](const PendingRay& ray) {
                 return ray.pixel == pixel ? ray.share : std::numeric_limits<double>::infinity();
@@ -255,7 +255,7 @@ void TileTracer::forget_least_mirrors() {
 
 /// Lights all that shows in the tile, one packet of shadow rays after another.
 void TileTracer::light_area() {
-    constexpr std::size_t most = bundle_rays;
+    constexpr std::size_t most = packet_rays;
     for (std::size_t first = 0; first < area_count_; first += most) {
         lit_count_ = std::min(most, area_count_ - first);
         for (std::size_t i = 0; i < lit_count_; ++i) {

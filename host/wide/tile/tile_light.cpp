@@ -50,7 +50,7 @@ void TileTracer::cast_shadows() {
 
 /// Shadow rays that go together, as one packet.
 void TileTracer::search_shadows(std::size_t light) {
-    std::array<std::size_t, bundle_rays> places;
+    std::array<std::size_t, packet_rays> places;
     const LoneRay first = shadows_.front().second;
     batch_.clear();
     std::erase_if(shadows_, [&](const auto& shadow) {
@@ -59,12 +59,12 @@ void TileTracer::search_shadows(std::size_t light) {
         batch_.push_back(shadow.second);
         return true;
     });
-    gather_rays(work_.bundle, batch_);
-    work_.bundle.any_hit = true;
+    gather_rays(work_.packet, batch_);
+    work_.packet.any_hit = true;
     if (scene_.lights[light].kind == kernels::LightKind::directional) {
-        work_.bundle.aspect = {AspectOf::Kind::light, static_cast<long>(light), 0};
+        work_.packet.candidate_view = {CandidateViewOf::Kind::light, static_cast<long>(light), 0};
     }
-    if (!search_bundle(wide_, work_)) work_.clear_found();
+    if (!search_packet(wide_, work_)) work_.clear_found();
     for (std::size_t i = 0; i < batch_.size(); ++i) {
         const Found& found = work_.found[i];
         LitPlace& place = lit_[places[i]];
@@ -132,7 +132,7 @@ void TileTracer::look_into_mirrors() {
     batch_.clear();
     std::erase_if(pending_, [&](const PendingRay& pending) {
         if ((unclear_ >> pending.pixel & 1) != 0) return true;
-        const bool full = batch_.size() == bundle_rays;
+        const bool full = batch_.size() == packet_rays;
         if (full || (!batch_.empty() && !go_together(first, pending.ray))) return false;
         lanes_[batch_.size()] = {
             pending.pixel, pending.share, pending.bounces_left, pending.ray, {}};
@@ -141,8 +141,8 @@ void TileTracer::look_into_mirrors() {
         return true;
     });
     if (batch_.empty()) return;
-    gather_rays(work_.bundle, batch_);
-    work_.bundle.any_hit = false;
+    gather_rays(work_.packet, batch_);
+    work_.packet.any_hit = false;
     look(Kind::mirror);
 }
 

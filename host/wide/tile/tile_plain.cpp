@@ -11,10 +11,10 @@ namespace pxm::host::wide {
 
 void TileTracer::render_plainly() {
     place_ = scene_.samples[0];
-    aim_at_tile(work_.bundle, scene_.camera, frame_.crop, left_, top_, place_);
-    const std::uint64_t inside = work_.bundle.inside;  // shadows are a packet of their own
+    aim_at_tile(work_.packet, scene_.camera, frame_.crop, left_, top_, place_);
+    const std::uint64_t inside = work_.packet.inside;  // shadows are a packet of their own
     const auto objects = static_cast<std::uint32_t>(wide_.objects.size());
-    if (!search_bundle(wide_, work_)) {
+    if (!search_packet(wide_, work_)) {
         if (inside == ~std::uint64_t{0}) return see_nothing();
         work_.clear_found();
     }
@@ -73,9 +73,9 @@ void TileTracer::see_nothing() {
             hn::Stream(hn::Load(d, from + i), d, to + i);
         }
     }
-    rays_.pixels += bundle_rays;
-    rays_.eye_rays += bundle_rays;
-    rays_.volumes_tested += bundle_rays * wide_.objects.size();
+    rays_.pixels += packet_rays;
+    rays_.eye_rays += packet_rays;
+    rays_.volumes_tested += packet_rays * wide_.objects.size();
 }
 
 }  // namespace pxm::host::wide

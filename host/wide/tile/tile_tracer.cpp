@@ -68,10 +68,10 @@ RayStatistics TileTracer::finish() {
 
 void TileTracer::aim(std::size_t sample) {
     place_ = scene_.samples[sample];
-    aim_at_tile(work_.bundle, scene_.camera, frame_.crop, left_, top_, place_);
-    work_.bundle.inside &= ~unclear_;
+    aim_at_tile(work_.packet, scene_.camera, frame_.crop, left_, top_, place_);
+    work_.packet.inside &= ~unclear_;
     const double share = 1.0 / static_cast<double>(scene_.samples.size());
-    for_bits(work_.bundle.inside, [&](int pixel) {
+    for_bits(work_.packet.inside, [&](int pixel) {
         Lane& lane = lanes_[static_cast<std::size_t>(pixel)];
         lane.pixel = pixel;
         lane.share = share;
@@ -97,37 +97,37 @@ LoneRay TileTracer::eye_ray(int pixel) const {
 }
 
 double TileTracer::length_at(int lane, double depth) const {
-    if (!needs_rays_) return depth * static_cast<double>(work_.bundle.stretch[lane]);
+    if (!needs_rays_) return depth * static_cast<double>(work_.packet.stretch[lane]);
     const LoneRay& ray = lanes_[static_cast<std::size_t>(lane)].ray;
-    const glm::dvec3& axis = work_.bundle.axis[2];
-    return (depth - glm::dot(ray.origin - work_.bundle.origin, axis)) /
+    const glm::dvec3& axis = work_.packet.axis[2];
+    return (depth - glm::dot(ray.origin - work_.packet.origin, axis)) /
            glm::dot(ray.direction, axis);
 }
 
 double TileTracer::depth_at(int lane, double length) const {
     const LoneRay& ray = lanes_[static_cast<std::size_t>(lane)].ray;
-    return glm::dot(ray.origin + length * ray.direction - work_.bundle.origin,
-                    work_.bundle.axis[2]);
+    return glm::dot(ray.origin + length * ray.direction - work_.packet.origin,
+                    work_.packet.axis[2]);
 }
 
 /// What the lanes of the packet see, front to back: cells, planes, the background.
 void TileTracer::look(Kind kind) {
     lit_count_ = 0;
     if (!scene_.planes.empty()) meet_planes();
-    if (!search_bundle(wide_, work_)) work_.clear_found();
-    see_cells_of(work_.bundle.inside);
-    for_bits(work_.bundle.inside, [&](int lane) { see(kind, lane); });
+    if (!search_packet(wide_, work_)) work_.clear_found();
+    see_cells_of(work_.packet.inside);
+    for_bits(work_.packet.inside, [&](int lane) { see(kind, lane); });
     if (needs_shadows(scene_)) cast_shadows();
     for (std::size_t i = 0; i < lit_count_; ++i) add_light(lit_[i]);
 }
 
 void TileTracer::meet_planes() {
-    for_bits(work_.bundle.inside, [&](int i) {
+    for_bits(work_.packet.inside, [&](int i) {
         Lane& lane = lanes_[static_cast<std::size_t>(i)];
         lane.floor.plane = 0;
         if (kernels::nearest_plane(node_, to_node(lane.ray), lane.ray.start, lane.ray.end,
                                    lane.floor)) {
-            work_.bundle.end[static_cast<std::size_t>(i)] = depth_at(i, lane.floor.t);
+            work_.packet.end[static_cast<std::size_t>(i)] = depth_at(i, lane.floor.t);
         }
     });
 }
@@ -154,7 +154,7 @@ void TileTracer::see(Kind kind, int i) {
 
 void TileTracer::see_cells_of(std::uint64_t lanes) {
     std::uint64_t hit = 0;
-    std::array<SeenCell*, bundle_rays> seen;
+    std::array<ShadedHit*, packet_rays> seen;
     for_bits(lanes, [&](int i) {
         const auto at = static_cast<std::size_t>(i);
         const Found& found = work_.found[at];
@@ -162,7 +162,7 @@ void TileTracer::see_cells_of(std::uint64_t lanes) {
         hit |= std::uint64_t{1} << i;
         seen[at] = &seen_[at];
     });
-    confirmed_ = see_cells(wide_, work_, hit, seen.data());
+    confirmed_ = shade_hits(wide_, work_, hit, seen.data());
 }
 
 void TileTracer::see_cell_in(Kind kind, int i) {
@@ -214,7 +214,7 @@ bool TileTracer::see_rest(Kind kind, int i) {
 }
 
 /// What is known of a pixel is of its first sample.
-void TileTracer::record_cell(const SeenCell& seen, double t, PixelRecord& pixel) const {
+void TileTracer::record_cell(const ShadedHit& seen, double t, PixelRecord& pixel) const {
     pixel.z = static_cast<float>(t * scene_.unit);
     std::ranges::copy(seen.normal, pixel.normal);
     const CompiledObject& object = scene_.objects[static_cast<std::size_t>(seen.object)];
@@ -256,8 +256,8 @@ void TileTracer::see_plane(Kind kind, int i) {
 }
 
 void TileTracer::store() {
-    aim_at_tile(work_.bundle, scene_.camera, frame_.crop, left_, top_, scene_.samples[0]);
-    for_bits(work_.bundle.inside, [&](int i) {
+    aim_at_tile(work_.packet, scene_.camera, frame_.crop, left_, top_, scene_.samples[0]);
+    for_bits(work_.packet.inside, [&](int i) {
         const PixelSum& sum = sums_[static_cast<std::size_t>(i)];
         if ((unclear_ >> i & 1) != 0) return render_clearly(i, sum.tested);
         PixelRecord& pixel = pixel_at(i);

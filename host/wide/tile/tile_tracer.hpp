@@ -1,5 +1,5 @@
 // What is seen through the pixels of an 8x8 tile, with shadows, mirrors, planes and samples: as
-// dsp_kernels/trace.hpp, but a step is done for a whole bundle of rays before the next one. Cells
+// dsp_kernels/trace.hpp, but a step is done for a whole packet of rays before the next one. Cells
 // are found by bundle_search; planes and textures are the reference kernels' own. A pixel with a
 // ray that the search gives up, or a hit that is not confirmed in float, is rendered by the clear
 // kernels from its beginning.
@@ -61,7 +61,7 @@ class TileTracer {
     /// A surface that a lane sees, and what of the lights reaches it.
     struct LitPlace {
         int lane;
-        SeenCell seen;
+        ShadedHit seen;
         float diffuse;
         float reflect;
         glm::dvec3 point;
@@ -111,7 +111,7 @@ class TileTracer {
     void see_cell_in(Kind kind, int lane);
     [[nodiscard]] bool see_rest(Kind kind, int lane);
     void see_plane(Kind kind, int lane);
-    void record_cell(const SeenCell& seen, double t, PixelRecord& pixel) const;
+    void record_cell(const ShadedHit& seen, double t, PixelRecord& pixel) const;
     void cast_shadows();
     [[nodiscard]] bool shadow_ray(const LitPlace& place, const CompiledLight& light, LoneRay& ray);
     [[nodiscard]] bool is_in_shadow_of_rest(const LoneRay& ray, int pixel);
@@ -143,17 +143,17 @@ class TileTracer {
     bool needs_rays_;      // there are planes, shadows or mirrors
     bool is_plain_;        // render_plainly() will do
     std::optional<FallbackSearch> rest_;
-    std::array<PixelRecord, bundle_rays> nothing_seen_;  // of a tile
+    std::array<PixelRecord, packet_rays> nothing_seen_;  // of a tile
     Workspace work_;
     long left_ = 0;  // of the tile
     long top_ = 0;
     glm::dvec2 place_{0.5};  // of the present sample
-    std::array<Lane, bundle_rays> lanes_;
-    std::array<SeenCell, bundle_rays> seen_;  // of each lane that has found a cell
-    std::uint64_t confirmed_ = 0;             // they are right
-    std::array<LitPlace, bundle_rays> lit_;
+    std::array<Lane, packet_rays> lanes_;
+    std::array<ShadedHit, packet_rays> seen_;  // of each lane that has found a cell
+    std::uint64_t confirmed_ = 0;              // they are right
+    std::array<LitPlace, packet_rays> lit_;
     std::size_t lit_count_ = 0;
-    std::array<PixelSum, bundle_rays> sums_;
+    std::array<PixelSum, packet_rays> sums_;
     std::uint64_t unclear_ = 0;  // pixels that the reference kernels are to render
     std::vector<PendingRay> pending_;
     std::vector<LoneRay> batch_;

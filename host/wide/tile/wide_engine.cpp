@@ -18,10 +18,11 @@ class LoadedWideScene : public LoadedScene {
     EngineResult run(const CropWindow& window, const RunControl& control) override {
         EngineResult result;
         result.frame = Frame(scene_.size, window);
-        run_tiles(
-            blocks_of_tiles(window, wide_.aspect_side, threads_), threads_, control, result, [&] {
-                return std::make_unique<TileTracer>(scene_, wide_, rest_, block_, result.frame);
-            });
+        run_tiles(blocks_of_tiles(window, wide_.candidate_view_side, threads_), threads_, control,
+                  result, [&] {
+                      return std::make_unique<TileTracer>(scene_, wide_, rest_, block_,
+                                                          result.frame);
+                  });
         return result;
     }
 

@@ -120,10 +120,10 @@ TEST(Reroot, shows_what_the_whole_object_shows) {
     for (const Views& view : views("")) {
         for (const double zoom : {1e4, 1e6}) {
             const CompiledScene kept = compile_text(view.text, zoom, NearCells::kept);
-            const Frame whole = render_natively(kept, Numeric::twice).frame;
+            const Frame whole = render_natively(kept, Numeric::double_).frame;
             const CompiledScene scene = compile_text(view.text, zoom);
             EXPECT_GT(rerooted(scene).objects, 0U) << view.name << zoom;
-            const Difference d = difference(whole, render_natively(scene, Numeric::twice).frame);
+            const Difference d = difference(whole, render_natively(scene, Numeric::double_).frame);
             EXPECT_LT(d.hits, 0.003) << view.name << zoom << text_of(d);
             EXPECT_LT(d.words, 0.02) << view.name << zoom << text_of(d);
             EXPECT_LT(d.colors, 0.005) << view.name << zoom << text_of(d);
@@ -136,8 +136,8 @@ TEST(Reroot, shades_as_the_whole_object_does_in_every_mode) {
         for (const Views& view : views(fmt::format("shading: {}", mode))) {
             const CompiledScene kept = compile_text(view.text, 1e5, NearCells::kept);
             const Difference d =
-                difference(render_natively(kept, Numeric::twice).frame,
-                           render_natively(compile_text(view.text, 1e5), Numeric::twice).frame);
+                difference(render_natively(kept, Numeric::double_).frame,
+                           render_natively(compile_text(view.text, 1e5), Numeric::double_).frame);
             EXPECT_LT(d.colors, 0.005) << view.name << mode << text_of(d);
         }
     }
@@ -152,9 +152,9 @@ TEST(Reroot, every_number_type_and_engine_shows_the_picture_of_double) {
         for (const double zoom : {1e10, 1e30}) {
             if (!small && zoom > 1e10) continue;
             const CompiledScene scene = compile_text(view.text, zoom);
-            const Frame twice = render_natively(scene, Numeric::twice).frame;
+            const Frame twice = render_natively(scene, Numeric::double_).frame;
             if (small) {
-                const Verdict verdict = judge(scene, twice, Numeric::twice);
+                const Verdict verdict = judge(scene, twice, Numeric::double_);
                 EXPECT_GT(verdict.hits, 10) << view.name << zoom;
                 EXPECT_EQ(verdict.same + verdict.tied, verdict.pixels)
                     << view.name << verdict.report;
@@ -180,10 +180,10 @@ TEST(Reroot, every_number_type_and_engine_shows_the_picture_of_double) {
 TEST(Reroot, a_zoom_about_a_fixed_point_shows_the_same_again) {
     const std::string text =
         looking_at(scene_of("tetra", "", "size: 24,18"), {0, 2, 1}, {0.3, 0.4, -1});
-    const Frame at_40 = render_natively(compile_text(text, 0x1p42), Numeric::twice).frame;
+    const Frame at_40 = render_natively(compile_text(text, 0x1p42), Numeric::double_).frame;
     for (const double zoom : {0x1p72, 0x1p99}) {
         const int deeper = static_cast<int>(std::log2(zoom)) - 42;
-        const Frame frame = render_natively(compile_text(text, zoom), Numeric::twice).frame;
+        const Frame frame = render_natively(compile_text(text, zoom), Numeric::double_).frame;
         const Difference d = difference(at_40, frame, std::ldexp(1, -deeper), deeper);
         EXPECT_EQ(d.hits, 0) << zoom << text_of(d);
         EXPECT_LT(d.words, 0.003) << zoom << text_of(d);
@@ -200,8 +200,8 @@ TEST(Reroot, numbers_with_many_digits_say_what_a_zoom_says) {
     const CompiledScene zoomed =
         compile_text(looking_at(system, {0, 2, 1}, {0.3, 0.4, -1}), 0x1p70);
     EXPECT_EQ(rerooted(written).levels, rerooted(zoomed).levels);
-    const Difference d = difference(render_natively(written, Numeric::twice).frame,
-                                    render_natively(zoomed, Numeric::twice).frame);
+    const Difference d = difference(render_natively(written, Numeric::double_).frame,
+                                    render_natively(zoomed, Numeric::double_).frame);
     EXPECT_EQ(d.hits, 0) << text_of(d);
     EXPECT_EQ(d.words, 0) << text_of(d);
     EXPECT_EQ(d.colors, 0) << text_of(d);
@@ -212,9 +212,9 @@ TEST(Reroot, an_object_stops_at_its_last_level_all_the_same) {
                              "object a { ifs: tetra levels: 12 }";
     const CompiledScene scene = compile_text(text, 1e4);
     EXPECT_GT(rerooted(scene).objects, 0U);
-    const Frame frame = render_natively(scene, Numeric::twice).frame;
+    const Frame frame = render_natively(scene, Numeric::double_).frame;
     const CompiledScene kept = compile_text(text, 1e4, NearCells::kept);
-    const Difference d = difference(render_natively(kept, Numeric::twice).frame, frame);
+    const Difference d = difference(render_natively(kept, Numeric::double_).frame, frame);
     EXPECT_LT(d.hits + d.words + d.colors, 0.01) << text_of(d);
     for (const PixelRecord& pixel : frame.pixels) EXPECT_LE(pixel.level, 12);
     EXPECT_LE(rerooted(compile_text(text, 1e12)).levels, 12U);

@@ -203,8 +203,10 @@ TEST(Volumes, declared_for_a_recurrent_system_stand_on_all_its_levels) {
     for (const char* declared : {"box", "sphere: (0,0,0) 1", "cylinder", "cone scale: 3"}) {
         const std::string object =
             std::string("object o { ifs: s  levels: 1 ") + declared + " }" + seen_from_the_front;
-        const EngineResult graph = render_natively(compile_text(two_sets + object), Numeric::twice);
-        const EngineResult plain = render_natively(compile_text(one_set + object), Numeric::twice);
+        const EngineResult graph =
+            render_natively(compile_text(two_sets + object), Numeric::double_);
+        const EngineResult plain =
+            render_natively(compile_text(one_set + object), Numeric::double_);
         EXPECT_GT(plain.rays.hits, 20U) << declared;
         EXPECT_TRUE(same_picture(graph.frame, plain.frame)) << declared;
     }
@@ -215,8 +217,8 @@ TEST(Volumes, declared_for_a_recurrent_system_stand_for_translucent_cells_too) {
     const std::string object =
         std::string("object o { ifs: s  levels: 2  box  opacity: 0.4 }") + seen_from_the_front;
     EXPECT_TRUE(
-        same_picture(render_natively(compile_text(two_sets + object), Numeric::twice).frame,
-                     render_natively(compile_text(one_set + object), Numeric::twice).frame));
+        same_picture(render_natively(compile_text(two_sets + object), Numeric::double_).frame,
+                     render_natively(compile_text(one_set + object), Numeric::double_).frame));
 }
 
 TEST(Volumes, that_hold_for_some_maps_only_are_computed_inside_the_others) {

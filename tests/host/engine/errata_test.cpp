@@ -38,13 +38,13 @@ TEST(Erratum3, a_cell_that_sticks_out_of_its_parent_is_not_shown_there) {
     ASSERT_EQ(outer.kind, kernels::Volume::sphere);
     outer.radius *= 0.7;
     outer.diameter *= 0.7;
-    const Frame frame = render_natively(scene, Numeric::twice).frame;
-    const Verdict verdict = judge(scene, frame, Numeric::twice);
+    const Frame frame = render_natively(scene, Numeric::double_).frame;
+    const Verdict verdict = judge(scene, frame, Numeric::double_);
     EXPECT_EQ(verdict.same + verdict.tied, verdict.pixels) << verdict.report;
 
     CompiledScene printed = scene;  // an outermost volume that clips nothing: entries as printed
     printed.shapes[0].sets[1].volume.radius *= 4;
-    const Frame other = render_natively(printed, Numeric::twice).frame;
+    const Frame other = render_natively(printed, Numeric::double_).frame;
     long nearer = 0;
     for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
         EXPECT_GE(frame.pixels[i].z, other.pixels[i].z);
@@ -62,7 +62,7 @@ TEST(Erratum6, the_product_is_an_upper_bound_and_the_determinant_a_lower) {
         for (const char* method : {"determinant", "polar", "product"}) {
             const CompiledScene scene = compile_text(
                 scene_of(name, std::string("volume: sphere lipschitz: ") + method, "size: 24,18"));
-            level[i++] = mean_level(render_natively(scene, Numeric::twice).frame);
+            level[i++] = mean_level(render_natively(scene, Numeric::double_).frame);
         }
         EXPECT_LT(level[0], level[1]) << name;
         EXPECT_LT(level[1], level[2]) << name;
@@ -76,7 +76,7 @@ TEST(Erratum13, shading_sums_over_the_path_of_cells_that_contain_the_hit) {
         CompiledScene scene =
             compile_text(scene_of("octo", std::string("shading: ") + shading, "size: 24,18") +
                          "object a { ifs: octo levels: 1 }");
-        const Frame frame = render_natively(scene, Numeric::twice).frame;
+        const Frame frame = render_natively(scene, Numeric::double_).frame;
         Oracle oracle(scene, 0);
         const double share = std::string(shading) == "constant"   ? 1.0 / 2
                              : std::string(shading) == "low-pass" ? 2.0 / 3  // diameters 2 : 1
@@ -117,7 +117,7 @@ TEST(Erratum14, a_pixel_spans_two_tan_of_half_the_angle_over_the_columns) {
                                              "camera { eye: 1,1.5,-4 look: 0,0,0 fov: 50 }");
     const double growth = 2 * std::tan(25 * std::numbers::pi / 180) / 40;
     EXPECT_DOUBLE_EQ(scene.camera.pixel_growth, growth);
-    const Frame frame = render_natively(scene, Numeric::twice).frame;
+    const Frame frame = render_natively(scene, Numeric::double_).frame;
     const double diameter = scene.objects[0].diameter * scene.unit;
     for (const PixelRecord& pixel : frame.pixels) {
         if (pixel.alpha == 0) continue;
@@ -169,9 +169,9 @@ TEST(HopelessScene, with_few_levels_is_not_capped) {
     const CompiledScene scene =
         compile_text(scene_of("grass", "volume: sphere lipschitz: polar", "size: 16,12") +
                      "object lawn { ifs: grass scale: 4,0.1,4 levels: 6 }");
-    const EngineResult result = render_natively(scene, Numeric::twice);
+    const EngineResult result = render_natively(scene, Numeric::double_);
     EXPECT_EQ(result.rays.capped_rays, 0);
-    const Verdict verdict = judge(scene, result.frame, Numeric::twice);
+    const Verdict verdict = judge(scene, result.frame, Numeric::double_);
     EXPECT_EQ(verdict.same + verdict.tied, verdict.pixels) << verdict.report;
 }
 

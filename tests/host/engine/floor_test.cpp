@@ -88,7 +88,7 @@ TEST(Floor, its_pixels_say_where_and_what_it_is) {
         render_natively(compile_text(solid + view + "plane a { point: 0,0,9 normal: 0,0,1 }" +
                                      "plane b { point: 0,-0.2,0 normal: 0,1,0 color: 0.5,1,0.25 }"
                                      "light { direction: 0,1,0 } render { ambient: 0.1,0.1,0.1 }"),
-                        Numeric::twice)
+                        Numeric::double_)
             .frame;
     const PixelRecord& pixel = frame.at(2, 35);
     EXPECT_EQ(pixel.object, 2);  // after the objects, in the order of the scene
@@ -108,7 +108,7 @@ TEST(Floor, is_in_shadow_where_an_object_hides_the_light) {
     const std::string light =
         "light { direction: -1,0.7,0.8 shadow: on } render { ambient: 0,0,0 }";
     const CompiledScene scene = compile_text(coarse + view + floor_block + light);
-    const Frame frame = render_natively(scene, Numeric::twice).frame;
+    const Frame frame = render_natively(scene, Numeric::double_).frame;
     test::Oracle oracle(scene, 0x1p-48);
     int shadows = 0;
     int wrong = 0;
@@ -158,8 +158,8 @@ TEST(Floor, that_mirrors_all_shows_the_scene_upside_down) {
     const CompiledScene behind = compile_text(
         std::string(test::tetra_text) + view + dim + "light { direction: 0.6,-1,-0.3 }" +
         "object o { ifs: tetra scale: 1,-1,1 translate: 0,-1,0 }");
-    const Frame seen = render_natively(mirror, Numeric::twice).frame;
-    const Frame expected = render_natively(behind, Numeric::twice).frame;
+    const Frame seen = render_natively(mirror, Numeric::double_).frame;
+    const Frame expected = render_natively(behind, Numeric::double_).frame;
     int same = 0;
     int hits = 0;
     int pixels = 0;
@@ -193,7 +193,7 @@ TEST(Floor, shows_through_covers_and_translucent_objects) {
 TEST(Floor, the_engines_make_the_same_picture_of_every_texture) {
     const Folder folder;
     const CompiledScene scene = compile_text(textured(folder));
-    for (const Numeric numeric : {Numeric::dsp32, Numeric::single, Numeric::twice}) {
+    for (const Numeric numeric : {Numeric::dsp32, Numeric::single, Numeric::double_}) {
         const Frame native = render_natively(scene, numeric, 2).frame;
         const Frame machine = test::render_on("916", scene, numeric, 2).frame;
         EXPECT_TRUE(test::same_picture(native, machine));
@@ -205,7 +205,7 @@ TEST(Floor, the_engines_make_the_same_picture_of_every_texture) {
 TEST(Floor, the_numbers_of_a_node_make_about_the_same_picture) {
     const Folder folder;
     const CompiledScene scene = compile_text(textured(folder));
-    const Frame exact = render_natively(scene, Numeric::twice, 2).frame;
+    const Frame exact = render_natively(scene, Numeric::double_, 2).frame;
     for (const Numeric numeric : {Numeric::dsp32, Numeric::single}) {
         const Frame frame = render_natively(scene, numeric, 2).frame;
         int wrong = 0;

@@ -177,8 +177,7 @@ TEST(Import, any_bytes_end_in_a_scene_or_a_message) {
             try {
                 expect_readable(import_fractint({"f", text}, format, "t"));
             } catch (const Error& error) {
-                EXPECT_TRUE(error.kind() == ErrorKind::scene ||
-                            error.kind() == ErrorKind::setting);
+                EXPECT_TRUE(error.kind() == ErrorKind::scene || error.kind() == ErrorKind::setting);
             }
         }
     }

@@ -46,7 +46,7 @@ RenderResult parallel(double zoom, Numeric numeric) {
 }
 
 TEST(Alarms, an_ordinary_view_raises_none) {
-    for (const Numeric numeric : {Numeric::dsp32, Numeric::single, Numeric::twice}) {
+    for (const Numeric numeric : {Numeric::dsp32, Numeric::single, Numeric::double_}) {
         const RenderResult result = tetra_at(1, numeric);
         for (const Alarm& alarm : result.statistics.alarms)
             EXPECT_EQ(alarm.count, 0U) << alarm.name;
@@ -56,7 +56,7 @@ TEST(Alarms, an_ordinary_view_raises_none) {
 
 TEST(Alarms, a_view_beyond_the_numbers_raises_precision_and_double_has_more_of_it) {
     EXPECT_EQ(count_of(parallel(1e6, Numeric::single), "precision"), 16U * 12);
-    EXPECT_EQ(count_of(parallel(1e6, Numeric::twice), "precision"), 0U);
+    EXPECT_EQ(count_of(parallel(1e6, Numeric::double_), "precision"), 0U);
     EXPECT_THAT(parallel(1e6, Numeric::single).warnings,
                 HasSubstr("warning: 192 pixels are less than 32 units of the last place of float"));
 }
@@ -69,7 +69,7 @@ TEST(Alarms, the_wide_engine_is_judged_by_the_double_that_it_places_cells_in) {
 
 TEST(Alarms, pixels_finer_than_the_floor_are_told) {
     EXPECT_GT(count_of(parallel(1e7, Numeric::dsp32), "floored"), 0U);
-    EXPECT_EQ(count_of(parallel(1e7, Numeric::twice), "floored"), 0U);
+    EXPECT_EQ(count_of(parallel(1e7, Numeric::double_), "floored"), 0U);
 }
 
 TEST(Alarms, results_beyond_the_range_are_told_and_double_has_more_of_it) {
@@ -84,7 +84,7 @@ TEST(Alarms, results_beyond_the_range_are_told_and_double_has_more_of_it) {
         request.overrides.numeric = numeric;
         EXPECT_GT(count_of(test::render_text(squashed, request), "overflow"), 0U);
     }
-    request.overrides.numeric = Numeric::twice;
+    request.overrides.numeric = Numeric::double_;
     EXPECT_EQ(count_of(test::render_text(squashed, request), "overflow"), 0U);
 }
 
@@ -121,7 +121,7 @@ TEST(Alarms, what_a_thread_computed_before_is_no_alarm_of_its_first_pixel) {
     std::feraiseexcept(FE_OVERFLOW | FE_DIVBYZERO);
     RenderRequest request;
     request.overrides.size = PixelSize{16, 16};
-    request.overrides.numeric = Numeric::twice;
+    request.overrides.numeric = Numeric::double_;
     request.threads = 2;
     EXPECT_EQ(count_of(test::render_text(test::tetra_text, request), "overflow"), 0U);
 }
@@ -132,7 +132,7 @@ TEST(Alarms, steep_maps_are_told_in_single_precision) {
     RenderRequest request;
     request.overrides.size = PixelSize{8, 8};
     EXPECT_EQ(count_of(test::render_text(steep, request), "steep_maps"), 1U);
-    request.overrides.numeric = Numeric::twice;
+    request.overrides.numeric = Numeric::double_;
     EXPECT_EQ(count_of(test::render_text(steep, request), "steep_maps"), 0U);
 }
 

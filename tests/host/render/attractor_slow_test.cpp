@@ -69,7 +69,7 @@ TEST_P(Attractor, is_near_every_hit) {
     const CompiledScene scene = compile_text(scene_of(GetParam(), "", "size: 20,15"));
     const Enumeration points(scene);
     ASSERT_GT(points.points(), 100);
-    for (const Numeric numeric : {Numeric::single, Numeric::twice}) {
+    for (const Numeric numeric : {Numeric::single, Numeric::double_}) {
         expect_hits_near_points(scene, render_natively(scene, numeric).frame, points);
     }
 }
@@ -83,7 +83,7 @@ TEST(Attractor, is_shown_without_holes) {
     for (const char* name : {"tetra", "octo", "menger", "icos", "mirrored", "asymmetric"}) {
         const CompiledScene scene = compile_text(scene_of(name, "", "size: 20,15"));
         const Enumeration points(scene);
-        for (const Numeric numeric : {Numeric::single, Numeric::twice}) {
+        for (const Numeric numeric : {Numeric::single, Numeric::double_}) {
             const Frame frame = render_natively(scene, numeric).frame;
             EXPECT_GE(expect_no_holes(scene, frame, points), 0.6) << name;
         }
@@ -115,7 +115,7 @@ void expect_rays_through_points_hit(const std::string& name, const CompiledScene
             const double depth =
                 orthographic ? glm::dot(point, scene.camera.forward) : glm::length(point);
             const CompiledScene aimed = aimed_at(scene, point);
-            const PixelRecord twice = render_natively(aimed, Numeric::twice).frame.at(0, 0);
+            const PixelRecord twice = render_natively(aimed, Numeric::double_).frame.at(0, 0);
             EXPECT_LE(static_cast<double>(twice.z), (1 + 1e-6) * depth * scene.unit)
                 << name << ' ' << object;
             const PixelRecord single = render_natively(aimed, Numeric::single).frame.at(0, 0);
@@ -143,7 +143,7 @@ TEST(Attractor, of_singular_maps_is_shown_where_it_is) {
     ASSERT_TRUE(scene.shapes[0].lifted);
     expect_rays_through_points_hit("fern", scene);
     const Enumeration points(scene);
-    for (const Numeric numeric : {Numeric::single, Numeric::twice}) {
+    for (const Numeric numeric : {Numeric::single, Numeric::double_}) {
         expect_hits_near_points(scene, render_natively(scene, numeric).frame, points);
     }
 }

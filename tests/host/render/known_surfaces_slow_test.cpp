@@ -54,7 +54,7 @@ TEST_P(KnownSurfacesFromAllSides, have_no_cracks_in_any_volume_with_flat_faces) 
         for (const char* volume : {"auto", "box", "oriented", "hull"}) {
             const CompiledScene scene = compiled(view, std::string("volume: ") + volume);
             expect_whole(view, scene, rendered(scene), fmt::format("by default, {}", volume));
-            expect_whole(view, scene, render_natively(scene, Numeric::twice).frame,
+            expect_whole(view, scene, render_natively(scene, Numeric::double_).frame,
                          fmt::format("heap in double, {}", volume));
         }
     }
@@ -74,7 +74,7 @@ TEST_P(KnownSurfacesFromAllSides, have_no_cracks_in_float) {
 TEST_P(KnownSurfacesFromAllSides, have_no_cracks_in_balls) {
     for (const KnownView& view : known_views()) {
         const CompiledScene scene = compiled(view, "volume: sphere");
-        expect_whole(view, scene, render_natively(scene, Numeric::twice).frame, "balls");
+        expect_whole(view, scene, render_natively(scene, Numeric::double_).frame, "balls");
     }
 }
 

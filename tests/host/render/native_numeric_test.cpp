@@ -15,7 +15,7 @@ TEST(NativeNumeric, is_double_where_the_clear_kernels_meet_hulls) {
     const auto numeric = [](const std::string& text) { return native_numeric(compile_text(text)); };
     EXPECT_EQ(numeric(scene_of("menger")), Numeric::single);
     EXPECT_EQ(numeric(scene_of("menger", "covers: on")), Numeric::single);
-    EXPECT_EQ(numeric(scene_of("menger", "volume: hull")), Numeric::twice);
+    EXPECT_EQ(numeric(scene_of("menger", "volume: hull")), Numeric::double_);
     const std::string both =
         ifs("tetra") + ifs("menger") + "object a { ifs: tetra hull } object b { ifs: menger }";
     EXPECT_EQ(numeric(both), Numeric::single);  // the wide engine's, and double for what it leaves

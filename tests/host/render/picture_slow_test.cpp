@@ -15,7 +15,7 @@ class LargerPicture : public testing::TestWithParam<Example> {};
 TEST_P(LargerPicture, is_the_oracles_in_double_and_admissible_in_float_and_dsp32) {
     const CompiledScene scene = compile_text(GetParam().text);
     const Verdict twice =
-        judge(scene, render_natively(scene, Numeric::twice).frame, Numeric::twice);
+        judge(scene, render_natively(scene, Numeric::double_).frame, Numeric::double_);
     EXPECT_GE(twice.same_share(), 0.999) << twice.report;
     EXPECT_GE(twice.admissible_share(), 0.999) << twice.report;
     EXPECT_EQ(twice.wrong_colors, 0) << twice.report;

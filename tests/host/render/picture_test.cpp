@@ -21,7 +21,7 @@ class Picture : public testing::TestWithParam<Example> {
 };
 
 TEST_P(Picture, in_double_is_the_oracles) {
-    const Verdict verdict = this->verdict(Numeric::twice);
+    const Verdict verdict = this->verdict(Numeric::double_);
     EXPECT_GT(verdict.hits, 0);
     EXPECT_GE(verdict.same_share(), 0.999) << verdict.report;
     EXPECT_EQ(verdict.admissible, verdict.pixels) << verdict.report;
@@ -47,8 +47,8 @@ TEST(PictureOrder, of_equal_keys_is_object_and_then_word) {
                      "camera { eye: 0.01,0.02,0.03 look: 0,0,1 } image { size: 6,4 }");
     for (const long heap : {256L, 8L, 1L}) {
         scene.heap = heap;
-        const Frame frame = render_natively(scene, Numeric::twice).frame;
-        const Verdict verdict = judge(scene, frame, Numeric::twice);
+        const Frame frame = render_natively(scene, Numeric::double_).frame;
+        const Verdict verdict = judge(scene, frame, Numeric::double_);
         EXPECT_EQ(verdict.same, verdict.pixels) << verdict.report;
         for (const PixelRecord& pixel : frame.pixels) {
             EXPECT_EQ(pixel.object, 0);
@@ -63,16 +63,16 @@ TEST(PictureDepth, ends_where_p_is_a_share_of_the_object) {
         ifs("tetra") +
         "object a { ifs: tetra sphere: (0,0,0) 1.5 }"
         "camera { eye: 0.4,1.3,-5 look: 0,1,0 orthographic: 1e-25 } image { size: 1,1 }");
-    for (const Numeric numeric : {Numeric::dsp32, Numeric::single, Numeric::twice}) {
+    for (const Numeric numeric : {Numeric::dsp32, Numeric::single, Numeric::double_}) {
         const PixelRecord pixel = render_natively(scene, numeric).frame.at(0, 0);
-        EXPECT_EQ(pixel.level, numeric == Numeric::twice ? 48 : 20);
+        EXPECT_EQ(pixel.level, numeric == Numeric::double_ ? 48 : 20);
     }
 }
 
 TEST(Referee, rejects_a_frame_with_another_cell_depth_colour_or_a_hole) {
     const CompiledScene scene = compile_text(scene_of("tetra", "", "size: 20,15"));
-    const Frame frame = render_natively(scene, Numeric::twice).frame;
-    const Verdict right = judge(scene, frame, Numeric::twice);
+    const Frame frame = render_natively(scene, Numeric::double_).frame;
+    const Verdict right = judge(scene, frame, Numeric::double_);
     ASSERT_EQ(right.same, right.pixels) << right.report;
     ASSERT_EQ(right.wrong_colors, 0) << right.report;
     const auto hit = std::ranges::find_if(frame.pixels,
@@ -81,7 +81,7 @@ TEST(Referee, rejects_a_frame_with_another_cell_depth_colour_or_a_hole) {
     const auto inadmissible = [&](const auto& change) {
         Frame wrong = frame;
         change(wrong.pixels[static_cast<std::size_t>(hit - frame.pixels.begin())]);
-        const Verdict verdict = judge(scene, wrong, Numeric::twice);
+        const Verdict verdict = judge(scene, wrong, Numeric::double_);
         return verdict.pixels - verdict.admissible + verdict.wrong_colors;
     };
     EXPECT_EQ(inadmissible([](PixelRecord& pixel) { pixel.word ^= 1; }), 1);

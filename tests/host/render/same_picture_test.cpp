@@ -13,7 +13,7 @@ namespace {
 
 using namespace host;
 
-constexpr Numeric all_numbers[] = {Numeric::dsp32, Numeric::single, Numeric::twice};
+constexpr Numeric all_numbers[] = {Numeric::dsp32, Numeric::single, Numeric::double_};
 
 /// What may differ between two frames.
 struct Ignored {

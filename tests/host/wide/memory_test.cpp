@@ -28,9 +28,9 @@ TEST_P(TinyPixels, do_not_fill_the_memory_with_shared_cells) {
     const WideScene wide = make_wide_scene(scene);
     SearchWorkspace work;
     work.scratch = hwy::AllocateAligned<double>(std::size_t{table_step} * 32);
-    aim_at_tile(work.bundle, scene.camera, scene.crop, 0, 0, {0.5, 0.5});
-    ASSERT_TRUE(search_bundle(wide, work));
-    EXPECT_LE(work.cells.size() + work.fixed_cells.size(), most_shared_cells + most_maps);
+    aim_at_tile(work.packet, scene.camera, scene.crop, 0, 0, {0.5, 0.5});
+    ASSERT_TRUE(search_packet(wide, work));
+    EXPECT_LE(work.cells.size() + work.homothety_cells.size(), most_shared_cells + most_maps);
     EXPECT_GT(std::ranges::count_if(work.found, &Found::given_up), 0);
 }
 
@@ -38,7 +38,7 @@ TEST_P(TinyPixels, show_what_the_clear_kernels_show) {
     const auto [maps, volume] = GetParam();
     const CompiledScene scene = test::compile_text(tiny_pixels(maps, volume));
     const Frame wide = run_wide(scene, {}, {}).frame;
-    const Frame clear = test::render_natively(scene, Numeric::twice).frame;
+    const Frame clear = test::render_natively(scene, Numeric::double_).frame;
     for (std::size_t i = 0; i < wide.pixels.size(); ++i) {
         EXPECT_EQ(wide.pixels[i].object, clear.pixels[i].object) << "pixel " << i;
     }
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Volumes, TinyPixels,
                                          std::pair{"rotate: z,20", "sphere"},
                                          std::pair{"rotate: z,20", "box"}));
 
-TEST(Aspects, of_very_many_lights_are_few) {
+TEST(CandidateViews, of_very_many_lights_are_few) {
     std::string text =
         "ifs a { newmap scale: 0.5  newmap scale: 0.5 translate: 1,0,0\n"
         "newmap scale: 0.5 translate: 0,1,0 }\nimage { size: 8,8 }\n";
@@ -58,14 +58,14 @@ TEST(Aspects, of_very_many_lights_are_few) {
     }
     const CompiledScene scene = test::compile_text(text);
     const WideScene wide = make_wide_scene(scene);
-    std::vector<Aspect> aspects;
-    RayBundle bundle;
-    bundle.aspect = {AspectOf::Kind::light, 299, 0};
-    bundle.axis[0] = {1, 0, 0};
-    bundle.axis[1] = {0, 1, 0};
-    bundle.axis[2] = {0, 0, 1};
-    EXPECT_FALSE(aspect_of(wide, bundle, aspects).view.shared);
-    EXPECT_LE(aspects.size(), 8U);
+    std::vector<CandidateView> candidate_views;
+    RayPacket packet;
+    packet.candidate_view = {CandidateViewOf::Kind::light, 299, 0};
+    packet.axis[0] = {1, 0, 0};
+    packet.axis[1] = {0, 1, 0};
+    packet.axis[2] = {0, 0, 1};
+    EXPECT_FALSE(candidate_view_of(wide, packet, candidate_views).view.shared);
+    EXPECT_LE(candidate_views.size(), 8U);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ class WideSlow : public testing::TestWithParam<Example> {};
 TEST_P(WideSlow, is_admissible) {
     const CompiledScene scene = compile_text(GetParam().text);
     if (!wide::why_not_wide(scene, Numeric::single).empty()) GTEST_SKIP();
-    const Verdict verdict = judge(scene, wide::run_wide(scene, {}, {}).frame, Numeric::twice);
+    const Verdict verdict = judge(scene, wide::run_wide(scene, {}, {}).frame, Numeric::double_);
     EXPECT_GT(verdict.hits, 0);
     EXPECT_GE(verdict.admissible_share(), 0.999) << verdict.report;
     EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;

@@ -31,7 +31,7 @@ class Wide : public testing::TestWithParam<Example> {
 
 TEST_P(Wide, is_admissible) {
     if (!wide::why_not_wide(scene_, Numeric::single).empty()) GTEST_SKIP();
-    const Verdict verdict = judge(scene_, render_wide(scene_), Numeric::twice);
+    const Verdict verdict = judge(scene_, render_wide(scene_), Numeric::double_);
     EXPECT_GT(verdict.hits, 0);
     EXPECT_GE(verdict.admissible_share(), 0.999) << verdict.report;
     EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
@@ -55,7 +55,7 @@ TEST(WideHullShadow, hides_no_ball) {
         const CompiledScene scene =
             compile_text(scene_of(system, "volume: sphere", "size: 280,210"));
         EngineChoice clear;
-        clear.numeric = Numeric::twice;
+        clear.numeric = Numeric::double_;
         clear.intersect = IntersectMethod::heap;
         const Frame expected = run_reference(scene, clear, {}).frame;
         const Frame found = render_wide(scene);
@@ -74,7 +74,7 @@ TEST(WideZoom, is_right_to_the_last_pixel) {
         for (const double zoom : {1e2, 1e4, 1e7}) {
             const CompiledScene scene =
                 compile_text(scene_of(system, "", "size: 16,16") + camera, zoom);
-            const Verdict verdict = judge(scene, render_wide(scene), Numeric::twice);
+            const Verdict verdict = judge(scene, render_wide(scene), Numeric::double_);
             EXPECT_EQ(verdict.admissible, verdict.pixels) << system << zoom << verdict.report;
             EXPECT_EQ(verdict.wrong_colors, 0) << system << zoom << verdict.report;
         }
@@ -100,7 +100,7 @@ TEST(WideChoice, says_why_not) {
     EXPECT_EQ(reason(scene_of("tetra")), "");
     EXPECT_EQ(reason(scene_of("elm")), "");
     EXPECT_EQ(reason(scene_of("grass")), "object \"grass\" has maps that squash very much");
-    EXPECT_EQ(reason(scene_of("tetra"), Numeric::twice),
+    EXPECT_EQ(reason(scene_of("tetra"), Numeric::double_),
               "the numbers are double, and the wide engine's are float");
     EXPECT_EQ(reason(scene_of("tetra", "samples: 4")), "");
     EXPECT_EQ(reason(scene_of("tetra", "covers: on")),

@@ -127,7 +127,7 @@ TEST(Parser, render_words_name_their_values) {
     EXPECT_EQ(std::get<Covers>(*render.covers), (Covers{1.0 / 20, 2}));
     EXPECT_EQ(render.samples, 4);
     EXPECT_EQ(render.intersect, IntersectMethod::wide);
-    EXPECT_EQ(render.numeric, Numeric::twice);
+    EXPECT_EQ(render.numeric, Numeric::double_);
     EXPECT_EQ(render.detail, 2);
     EXPECT_EQ(render.lipschitz, LipschitzMethod::polar);
     EXPECT_EQ(render.volume, VolumeKind::oriented);

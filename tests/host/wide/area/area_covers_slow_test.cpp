@@ -44,7 +44,7 @@ EngineResult run_wide(const CompiledScene& scene, int threads = 1) {
 
 EngineResult run_clear(const CompiledScene& scene) {
     EngineChoice choice;
-    choice.numeric = Numeric::twice;
+    choice.numeric = Numeric::double_;
     choice.intersect = IntersectMethod::heap;
     return run_reference(scene, choice, {});
 }

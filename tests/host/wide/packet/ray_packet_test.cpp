@@ -17,7 +17,7 @@ using namespace host;
 using namespace host::wide;
 
 /// Where lane `i` of a packet is at depth z.
-glm::dvec3 at_depth(const RayBundle& packet, std::size_t i, double z) {
+glm::dvec3 at_depth(const RayPacket& packet, std::size_t i, double z) {
     const double u = static_cast<double>(packet.u0[i]) + static_cast<double>(packet.u1[i]) * z;
     const double v = static_cast<double>(packet.v0[i]) + static_cast<double>(packet.v1[i]) * z;
     return packet.origin + packet.axis[0] * u + packet.axis[1] * v + packet.axis[2] * z;
@@ -37,9 +37,9 @@ std::vector<LoneRay> random_rays(std::mt19937& random, std::size_t count) {
 
 TEST(RayPacket, every_lane_is_its_ray) {
     std::mt19937 random(11);
-    const auto packet = std::make_unique<RayBundle>();
+    const auto packet = std::make_unique<RayPacket>();
     for (int trial = 0; trial < 100; ++trial) {
-        const std::vector<LoneRay> rays = random_rays(random, 1 + trial % bundle_rays);
+        const std::vector<LoneRay> rays = random_rays(random, 1 + trial % packet_rays);
         gather_rays(*packet, rays);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const LoneRay& ray = rays[i];
@@ -74,11 +74,11 @@ TEST(RayPacket, a_tile_has_the_eye_rays_of_its_pixels_inside_the_window) {
     camera.across = {0.01, 0, 0};
     camera.down = {0, -0.01, 0};
     const CropWindow window{10, 3, 100, 90};
-    const auto packet = std::make_unique<RayBundle>();
+    const auto packet = std::make_unique<RayPacket>();
     const glm::dvec2 place{0.25, 0.75};
     for (const auto& [left, top] : {std::pair<long, long>{8, 0}, {16, 16}, {96, 88}}) {
         aim_at_tile(*packet, camera, window, left, top, place);
-        for (int ray = 0; ray < bundle_rays; ++ray) {
+        for (int ray = 0; ray < packet_rays; ++ray) {
             const long x = left + ray % 8, y = top + ray / 8;
             const bool wanted = x >= 10 && x < 100 && y >= 3 && y < 90;
             EXPECT_EQ(packet->inside >> ray & 1, wanted ? 1U : 0U);

@@ -38,7 +38,7 @@ TEST(WideHomotheties, of_random_systems_show_admissible_cells) {
         text +=
             fmt::format("camera {{ eye: {},{},{} look: 0,0,0 fov: 35 }}\n", eye.x, eye.y, eye.z);
         const CompiledScene scene = compile_text(text);
-        const Verdict verdict = judge(scene, wide::run_wide(scene, {}, {}).frame, Numeric::twice);
+        const Verdict verdict = judge(scene, wide::run_wide(scene, {}, {}).frame, Numeric::double_);
         EXPECT_GE(verdict.admissible_share(), 0.999) << text << verdict.report;
         EXPECT_EQ(verdict.wrong_colors, 0) << text << verdict.report;
     }

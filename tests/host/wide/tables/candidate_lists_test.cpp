@@ -45,14 +45,14 @@ class Random {
     std::mt19937 engine_;
 };
 
-AspectView looking_along(const glm::dvec3& w, double reach) {
+ViewFrame looking_along(const glm::dvec3& w, double reach) {
     const glm::dvec3 other = std::abs(w.x) < 0.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0};
     const glm::dvec3 u = glm::normalize(glm::cross(other, w));
     return {{u, glm::cross(w, u), w}, reach, true};
 }
 
 /// Rows are the axes.
-glm::dmat3 frame_of(const AspectView& view) {
+glm::dmat3 frame_of(const ViewFrame& view) {
     glm::dmat3 frame;
     for (int axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < 3; ++i) frame[i][axis] = view.axis[axis][i];
@@ -73,7 +73,7 @@ WideScene balls_of(const std::string& system) {
 /// Of the pixels that the reference kernels and the wide engine hit.
 double share_of_same_colors(const CompiledScene& scene) {
     EngineChoice clear;
-    clear.numeric = Numeric::twice;
+    clear.numeric = Numeric::double_;
     clear.intersect = IntersectMethod::heap;
     const Frame expected = run_reference(scene, clear, {}).frame;
     const Frame found = run_wide(scene, {}, {}).frame;
@@ -90,16 +90,16 @@ double share_of_same_colors(const CompiledScene& scene) {
     return same / hits;
 }
 
-TEST(AspectTable, lists_every_cell_that_a_ray_meets) {
+TEST(CandidateLists, lists_every_cell_that_a_ray_meets) {
     Random random(7);
     for (const char* system : {"tetra", "octo", "menger", "icos"}) {
         const WideScene scene = balls_of(system);
         const HomothetyTable& cells = scene.sets[0].composed.back();
         ASSERT_GT(cells.count, table_step) << system;
         for (const double reach : {0.0, 0.05, 0.4}) {
-            const AspectView view = looking_along(random.direction(), reach);
+            const ViewFrame view = looking_along(random.direction(), reach);
             const glm::dmat3 frame = frame_of(view);
-            AspectTable table;
+            CandidateLists table;
             table.make(cells, frame, view);
             for (int ray = 0; ray < 400; ++ray) {
                 const glm::dvec2 place = random.place(1), slope = random.place(reach);
@@ -119,13 +119,13 @@ TEST(AspectTable, lists_every_cell_that_a_ray_meets) {
     }
 }
 
-TEST(AspectTable, lists_are_short_and_go_from_front_to_back) {
+TEST(CandidateLists, lists_are_short_and_go_from_front_to_back) {
     Random random(8);
     for (const char* system : {"tetra", "icos"}) {
         const WideScene scene = balls_of(system);
         const HomothetyTable& cells = scene.sets[0].composed.back();
-        const AspectView view = looking_along(random.direction(), 0.05);
-        AspectTable table;
+        const ViewFrame view = looking_along(random.direction(), 0.05);
+        CandidateLists table;
         table.make(cells, frame_of(view), view);
         double listed_cells = 0;
         constexpr int rays = 200;
@@ -143,21 +143,22 @@ TEST(AspectTable, lists_are_short_and_go_from_front_to_back) {
 }
 
 /// What a part's lists are made for: no ray of it goes farther aside than `reach`.
-TEST(Aspect, of_a_part_of_the_picture_holds_all_its_rays) {
+TEST(CandidateView, of_a_part_of_the_picture_holds_all_its_rays) {
     for (const char* view : {"fov: 3", "fov: 40", "fov: 140", "orthographic: 2"}) {
         const CompiledScene compiled =
             compile_text(scene_of("tetra", "volume: sphere", "size: 333,207") +
                          fmt::format("camera {{ eye: 0.4,1.6,-3 look: 0,1,0 {} }}", view));
         const WideScene scene = make_wide_scene(compiled);
         const CompiledCamera& camera = compiled.camera;
-        std::vector<Aspect> aspects;
-        RayBundle bundle;
+        std::vector<CandidateView> candidate_views;
+        RayPacket packet;
         std::set<std::uint64_t> views;
         for (long top = 0; top < compiled.size.rows; top += tile_side) {
             for (long left = 0; left < compiled.size.columns; left += tile_side) {
-                aim_at_tile(bundle, camera, compiled.crop, left, top, {0.5, 0.5});
-                const Aspect& aspect = aspect_of(scene, bundle, aspects);
-                views.insert(aspect.number);
+                aim_at_tile(packet, camera, compiled.crop, left, top, {0.5, 0.5});
+                const CandidateView& candidate_view =
+                    candidate_view_of(scene, packet, candidate_views);
+                views.insert(candidate_view.number);
                 for (const glm::dvec2& corner : {glm::dvec2{0, 0}, {8, 0}, {0, 8}, {8, 8}}) {
                     const double column = std::min(static_cast<double>(left) + corner.x, 333.0);
                     const double row = std::min(static_cast<double>(top) + corner.y, 207.0);
@@ -165,30 +166,30 @@ TEST(Aspect, of_a_part_of_the_picture_holds_all_its_rays) {
                         camera.projection == kernels::Projection::perspective
                             ? camera.corner + camera.across * column + camera.down * row
                             : camera.forward;
-                    const double ahead = glm::dot(way, aspect.view.axis[2]);
-                    const glm::dvec2 aside{glm::dot(way, aspect.view.axis[0]) / ahead,
-                                           glm::dot(way, aspect.view.axis[1]) / ahead};
+                    const double ahead = glm::dot(way, candidate_view.view.axis[2]);
+                    const glm::dvec2 aside{glm::dot(way, candidate_view.view.axis[0]) / ahead,
+                                           glm::dot(way, candidate_view.view.axis[1]) / ahead};
                     EXPECT_GT(ahead, 0);
-                    EXPECT_LE(glm::length(aside), aspect.view.reach + 1e-9) << view;
+                    EXPECT_LE(glm::length(aside), candidate_view.view.reach + 1e-9) << view;
                 }
             }
         }
-        EXPECT_TRUE(aspect_side(camera, compiled.size) % tile_side == 0);
+        EXPECT_TRUE(candidate_view_side(camera, compiled.size) % tile_side == 0);
         EXPECT_EQ(views.size() > 1,
                   std::string(view) == "fov: 40" || std::string(view) == "fov: 140");
     }
 }
 
 /// Few pixels that see far around: no part of such a picture has an axis that all its rays follow.
-TEST(Aspect, of_a_very_wide_view_is_each_bundles_own) {
+TEST(CandidateView, of_a_very_wide_view_is_each_bundles_own) {
     const std::string camera = "camera { eye: 0.2,0.9,-0.3 look: 0.1,0.5,0.4 fov: 150 }";
     const CompiledScene scene =
         compile_text(scene_of("tetra", "volume: sphere", "size: 40,40") + camera);
-    std::vector<Aspect> aspects;
-    RayBundle bundle;
-    aim_at_tile(bundle, scene.camera, scene.crop, 0, 0, {0.5, 0.5});
-    EXPECT_FALSE(aspect_of(make_wide_scene(scene), bundle, aspects).view.shared);
-    const Verdict verdict = judge(scene, run_wide(scene, {}, {}).frame, Numeric::twice);
+    std::vector<CandidateView> candidate_views;
+    RayPacket packet;
+    aim_at_tile(packet, scene.camera, scene.crop, 0, 0, {0.5, 0.5});
+    EXPECT_FALSE(candidate_view_of(make_wide_scene(scene), packet, candidate_views).view.shared);
+    const Verdict verdict = judge(scene, run_wide(scene, {}, {}).frame, Numeric::double_);
     EXPECT_EQ(verdict.admissible, verdict.pixels) << verdict.report;
     EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
 }
@@ -208,7 +209,7 @@ TEST(WideObjects, that_are_turned_in_many_ways_are_seen) {
             "camera { eye: 0.4,0.6,-9 look: 0,0,0 fov: 45 }\n"
             "light { direction: 1,2,-1 color: 1,1,1 shadow: on }\n";
         const CompiledScene scene = compile_text(text);
-        const Verdict verdict = judge(scene, run_wide(scene, {}, {}).frame, Numeric::twice);
+        const Verdict verdict = judge(scene, run_wide(scene, {}, {}).frame, Numeric::double_);
         EXPECT_GE(verdict.admissible_share(), 0.999) << count << verdict.report;
         EXPECT_GE(share_of_same_colors(scene), 0.98) << count;
     }
@@ -222,7 +223,7 @@ TEST(WideObjects, of_homotheties_and_of_other_maps_may_overlap) {
                              "image { size: 80,60 }\nrender { volume: sphere }\n"
                              "camera { eye: 0.4,1.6,-4 look: 0,0.7,0 fov: 40 }\n";
     const CompiledScene scene = compile_text(text);
-    const Verdict verdict = judge(scene, run_wide(scene, {}, {}).frame, Numeric::twice);
+    const Verdict verdict = judge(scene, run_wide(scene, {}, {}).frame, Numeric::double_);
     EXPECT_GE(verdict.admissible_share(), 0.999) << verdict.report;
     EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
 }

@@ -53,7 +53,8 @@ TEST(ChildGrid, may_have_more_children_than_a_ray_keeps) {
     const CompiledScene balls = compile_text(text + "render { volume: sphere }\n");
     EXPECT_EQ(wide::object_methods(balls).front().because, "very many maps");
     for (const CompiledScene* scene : {&boxes, &balls}) {
-        const Verdict verdict = judge(*scene, wide::run_wide(*scene, {}, {}).frame, Numeric::twice);
+        const Verdict verdict =
+            judge(*scene, wide::run_wide(*scene, {}, {}).frame, Numeric::double_);
         EXPECT_GE(verdict.admissible_share(), 0.999) << verdict.report;
         EXPECT_EQ(verdict.wrong_colors, 0) << verdict.report;
     }
@@ -75,7 +76,7 @@ TEST(GridWalk, shows_the_nearest_terminal_cells) {
                   "camera { eye: -4,3,1.5 look: 0,0,0 orthographic: 3 }"}) {
                 const CompiledScene scene = compile_text(thirds(ratio, is_in) + view);
                 const Verdict verdict =
-                    judge(scene, wide::run_wide(scene, {}, {}).frame, Numeric::twice);
+                    judge(scene, wide::run_wide(scene, {}, {}).frame, Numeric::double_);
                 EXPECT_GE(verdict.admissible_share(), 0.999) << view << verdict.report;
                 EXPECT_EQ(verdict.wrong_colors, 0) << view << verdict.report;
             }

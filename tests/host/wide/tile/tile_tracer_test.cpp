@@ -83,7 +83,7 @@ TEST_P(WideTracer, sees_what_the_clear_kernels_see) {
     const CompiledScene compiled = scene();
     ASSERT_EQ(wide::why_not_wide(compiled, Numeric::single), "");
     EngineChoice clear;
-    clear.numeric = Numeric::twice;
+    clear.numeric = Numeric::double_;
     clear.intersect = IntersectMethod::heap;
     const EngineResult expected = run_reference(compiled, clear, {});
     const EngineResult found = run_wide(compiled, 1);
