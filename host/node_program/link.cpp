@@ -42,25 +42,35 @@ std::int64_t measured_bytes(const std::string& name) {
     return found->bytes();
 }
 
-void choose_modules(const CompiledScene& scene, NodeProgram& program) {
-    const auto take = [&](const char* name, bool needed, const char* why, const char* why_not) {
-        (needed ? program.modules : program.left_out)
+/// Sorts modules into those that a program needs and those that it leaves out, each with its
+/// reason.
+class ModuleChoice {
+  public:
+    ModuleChoice(const CompiledScene& scene, NodeProgram& program)
+        : scene_(scene), program_(program) {}
+
+    void choose_tracer();
+    void choose_search();
+    void choose_volumes();
+    void choose_floor();
+    void choose_light();
+
+  private:
+    void take(const char* name, bool needed, const char* why, const char* why_not) {
+        (needed ? program_.modules : program_.left_out)
             .push_back({name, needed ? why : why_not, measured_bytes(name)});
-    };
-    const bool objects = !scene.objects.empty();
-    const bool perspective = scene.camera.projection == kernels::Projection::perspective;
-    const bool polar = std::ranges::any_of(scene.shapes, [](const CompiledShape& shape) {
-        return shape.lipschitz == kernels::Lipschitz::polar;
-    });
-    const bool lifted = std::ranges::any_of(scene.shapes, &CompiledShape::lifted);
-    const bool plain = needs_plain_features(scene);
-    const bool planes = !scene.planes.empty();
-    const bool surfaces = objects || planes;
-    const char* nothing = "no objects or planes";
-    const bool shadows = surfaces && needs_shadows(scene);
+    }
+    [[nodiscard]] bool has_objects() const { return !scene_.objects.empty(); }
+    [[nodiscard]] bool has_surfaces() const { return has_objects() || !scene_.planes.empty(); }
+    [[nodiscard]] bool has_covers() const { return needs_covers(scene_) && !scene_.area; }
+
+    const CompiledScene& scene_;
+    NodeProgram& program_;
+};
+
+void ModuleChoice::choose_tracer() {
+    const bool plain = needs_plain_features(scene_), area = scene_.area, covers = has_covers();
     take("pixel_program", true, "every node has pixels", "");
-    const bool area = scene.area;
-    const bool covers = needs_covers(scene) && !area;
     take("trace", plain, "the first cell of each eye ray is all that counts",
          "another tracer takes its place");
     take("trace_rays", !plain && !covers && !area, "shadows or mirrors, and no local covers",
@@ -69,50 +79,80 @@ void choose_modules(const CompiledScene& scene, NodeProgram& program) {
          area ? "covers: area" : "covers: off, and no translucent object");
     take("trace_area", area, "covers: area", "no covers: area");
     take("beam", area, "covers: area", "no covers: area");
+}
+
+void ModuleChoice::choose_search() {
+    const bool objects = has_objects();
+    const bool perspective = scene_.camera.projection == kernels::Projection::perspective;
     take("vectors", true, "every other module calls it", "");
     take("camera", true, "every pixel has an eye ray", "");
     take("perspective", perspective, "a perspective camera", "an orthographic camera");
     take("orthographic", !perspective, "an orthographic camera", "a perspective camera");
     take("intersect", true, "every ray looks for a cell", "");
     take("heap", true, "where intersect keeps cells", "");
-    take("intersect_fast", scene.method == kernels::Method::fast, "intersect: fast",
+    take("intersect_fast", scene_.method == kernels::Method::fast, "intersect: fast",
          "intersect: heap");
     take("descend", objects, "ifs objects", "no objects");
     take("next_after", objects, "a heap may overflow", "no objects");
-    take("sphere", any_volume(scene, kernels::Volume::sphere), "bounding spheres",
+}
+
+void ModuleChoice::choose_volumes() {
+    const bool polar = std::ranges::any_of(scene_.shapes, [](const CompiledShape& shape) {
+        return shape.lipschitz == kernels::Lipschitz::polar;
+    });
+    const bool lifted = std::ranges::any_of(scene_.shapes, &CompiledShape::lifted);
+    take("sphere", any_volume(scene_, kernels::Volume::sphere), "bounding spheres",
          "no bounding sphere");
-    take("box", any_volume(scene, kernels::Volume::box), "bounding boxes", "no bounding box");
-    take("oriented", any_volume(scene, kernels::Volume::oriented),
+    take("box", any_volume(scene_, kernels::Volume::box), "bounding boxes", "no bounding box");
+    take("oriented", any_volume(scene_, kernels::Volume::oriented),
          "bounding boxes in axes of their own", "no box in axes of its own");
-    take("hull", any_volume(scene, kernels::Volume::hull), "bounding hulls", "no bounding hull");
-    take("cone", any_volume(scene, kernels::Volume::cone), "cones", "no cone");
-    take("cylinder", any_volume(scene, kernels::Volume::cylinder), "cylinders", "no cylinder");
+    take("hull", any_volume(scene_, kernels::Volume::hull), "bounding hulls", "no bounding hull");
+    take("cone", any_volume(scene_, kernels::Volume::cone), "cones", "no cone");
+    take("cylinder", any_volume(scene_, kernels::Volume::cylinder), "cylinders", "no cylinder");
     take("polar", polar, "maps that are no similitudes, or lipschitz: polar",
          "Lipschitz constants by product or determinant");
     take("flatness", lifted, "lifted singular maps", "no singular map");
-    take("shade", objects, "objects are shaded", "no objects");
-    take("plane", planes, "planes", "no planes");
-    take("texture", !scene.textures.empty(), "planes have textures", "no textures");
-    take("texture_image", any_texture(scene, kernels::TextureKind::image), "textures from files",
+}
+
+void ModuleChoice::choose_floor() {
+    take("shade", has_objects(), "objects are shaded", "no objects");
+    take("plane", !scene_.planes.empty(), "planes", "no planes");
+    take("texture", !scene_.textures.empty(), "planes have textures", "no textures");
+    take("texture_image", any_texture(scene_, kernels::TextureKind::image), "textures from files",
          "no texture from a file");
-    take("texture_wood", any_texture(scene, kernels::TextureKind::wood), "wooden textures",
+    take("texture_wood", any_texture(scene_, kernels::TextureKind::wood), "wooden textures",
          "no wooden texture");
-    take("texture_inclusion", any_texture(scene, kernels::TextureKind::inclusion),
+    take("texture_inclusion", any_texture(scene_, kernels::TextureKind::inclusion),
          "flat attractors as textures", "no texture is an ifs");
+}
+
+void ModuleChoice::choose_light() {
+    const bool surfaces = has_surfaces(), shadows = surfaces && needs_shadows(scene_);
+    const bool area = scene_.area, covers = has_covers();
+    const char* nothing = "no objects or planes";
     take("illuminate", surfaces, "surfaces are lit", nothing);
     take("covers", covers, "local covers or translucent objects",
          area ? "covers: area" : "covers: off, and no translucent object");
     take("shadow", shadows, "lights that cast shadows", "no light casts shadows");
     take("shadow_point",
-         shadows && std::ranges::any_of(scene.lights,
+         shadows && std::ranges::any_of(scene_.lights,
                                         [](const CompiledLight& light) {
                                             return light.shadow &&
                                                    light.kind == kernels::LightKind::point;
                                         }),
          "point lights that cast shadows", "no point light casts shadows");
-    take("mirror", needs_mirrors(scene), "surfaces that reflect", "no surface reflects");
-    take("point_light", surfaces && any_light(scene, kernels::LightKind::point), "point lights",
+    take("mirror", needs_mirrors(scene_), "surfaces that reflect", "no surface reflects");
+    take("point_light", surfaces && any_light(scene_, kernels::LightKind::point), "point lights",
          surfaces ? "directional lights only" : nothing);
+}
+
+void choose_modules(const CompiledScene& scene, NodeProgram& program) {
+    ModuleChoice choice(scene, program);
+    choice.choose_tracer();
+    choice.choose_search();
+    choice.choose_volumes();
+    choice.choose_floor();
+    choice.choose_light();
 }
 
 /// The deepest chain of calls from a function on, through modules that are in.

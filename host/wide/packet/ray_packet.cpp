@@ -101,6 +101,40 @@ bool go_together(const LoneRay& a, const LoneRay& b) {
     return glm::dot(apart_at_end, apart_at_end) <= last * last;
 }
 
+namespace {
+
+/// Fills in a lane of a packet whose frame is known, and widens what the packet reaches.
+void put_ray(RayPacket& packet, std::size_t i, const LoneRay& ray) {
+    const glm::dvec3 o = in_frame(packet, ray.origin - packet.origin);
+    const glm::dvec3 d = in_frame(packet, ray.direction);
+    const glm::dvec2 beside1{d.x / d.z, d.y / d.z};
+    const glm::dvec2 beside0{o.x - o.z * beside1.x, o.y - o.z * beside1.y};
+    const double length = 1 / d.z;  // t = (z - o.z) length
+    const double pixel1 = ray.pixel_growth * length;
+    const double pixel0 = ray.pixel_at_origin - o.z * pixel1;
+    packet.u0[i] = static_cast<float>(beside0.x);
+    packet.v0[i] = static_cast<float>(beside0.y);
+    packet.u1[i] = static_cast<float>(beside1.x);
+    packet.v1[i] = static_cast<float>(beside1.y);
+    packet.stretch[i] = static_cast<float>(length);
+    packet.shrink2[i] = static_cast<float>(d.z * d.z);
+    packet.start[i] = static_cast<float>(std::max(0.0, o.z + ray.start * d.z));
+    packet.pixel0[i] = static_cast<float>(pixel0);
+    packet.pixel1[i] = static_cast<float>(pixel1);
+    packet.end[i] = o.z + ray.end * d.z;
+    packet.inside |= std::uint64_t{1} << i;
+    packet.reach_u0 = std::max(packet.reach_u0, std::abs(beside0.x));
+    packet.reach_v0 = std::max(packet.reach_v0, std::abs(beside0.y));
+    packet.reach_u1 = std::max(packet.reach_u1, std::abs(beside1.x));
+    packet.reach_v1 = std::max(packet.reach_v1, std::abs(beside1.y));
+    packet.pixel_at_origin = std::min(packet.pixel_at_origin, pixel0);
+    packet.pixel_growth = std::min(packet.pixel_growth, pixel1);
+    packet.most_at_origin = std::max(packet.most_at_origin, pixel0);
+    packet.most_growth = std::max(packet.most_growth, pixel1);
+}
+
+}  // namespace
+
 void gather_rays(RayPacket& packet, std::span<const LoneRay> rays) {
     const auto count = static_cast<double>(rays.size());
     glm::dvec3 way{0.0}, middle{0.0};
@@ -126,35 +160,7 @@ void gather_rays(RayPacket& packet, std::span<const LoneRay> rays) {
     packet.pixel_at_origin = packet.pixel_growth = std::numeric_limits<double>::infinity();
     packet.most_at_origin = packet.most_growth = -std::numeric_limits<double>::infinity();
     packet.inside = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const LoneRay& ray = rays[i];
-        const glm::dvec3 o = in_frame(packet, ray.origin - packet.origin);
-        const glm::dvec3 d = in_frame(packet, ray.direction);
-        const glm::dvec2 beside1{d.x / d.z, d.y / d.z};
-        const glm::dvec2 beside0{o.x - o.z * beside1.x, o.y - o.z * beside1.y};
-        const double length = 1 / d.z;  // t = (z - o.z) length
-        const double pixel1 = ray.pixel_growth * length;
-        const double pixel0 = ray.pixel_at_origin - o.z * pixel1;
-        packet.u0[i] = static_cast<float>(beside0.x);
-        packet.v0[i] = static_cast<float>(beside0.y);
-        packet.u1[i] = static_cast<float>(beside1.x);
-        packet.v1[i] = static_cast<float>(beside1.y);
-        packet.stretch[i] = static_cast<float>(length);
-        packet.shrink2[i] = static_cast<float>(d.z * d.z);
-        packet.start[i] = static_cast<float>(std::max(0.0, o.z + ray.start * d.z));
-        packet.pixel0[i] = static_cast<float>(pixel0);
-        packet.pixel1[i] = static_cast<float>(pixel1);
-        packet.end[i] = o.z + ray.end * d.z;
-        packet.inside |= std::uint64_t{1} << i;
-        packet.reach_u0 = std::max(packet.reach_u0, std::abs(beside0.x));
-        packet.reach_v0 = std::max(packet.reach_v0, std::abs(beside0.y));
-        packet.reach_u1 = std::max(packet.reach_u1, std::abs(beside1.x));
-        packet.reach_v1 = std::max(packet.reach_v1, std::abs(beside1.y));
-        packet.pixel_at_origin = std::min(packet.pixel_at_origin, pixel0);
-        packet.pixel_growth = std::min(packet.pixel_growth, pixel1);
-        packet.most_at_origin = std::max(packet.most_at_origin, pixel0);
-        packet.most_growth = std::max(packet.most_growth, pixel1);
-    }
+    for (std::size_t i = 0; i < rays.size(); ++i) put_ray(packet, i, rays[i]);
     for (std::size_t i = rays.size(); i < packet_rays; ++i) {  // numbers that do no harm
         for (float* lane : {packet.u0, packet.v0, packet.u1, packet.v1, packet.start, packet.pixel0,
                             packet.pixel1}) {

@@ -99,6 +99,35 @@ HWY_INLINE double pixel_at(const WideScene& scene, const RayPacket& packet, int 
            std::max(p, scene.objects[static_cast<std::size_t>(object)].smallest_pixel);
 }
 
+/// Makes a cell of a child whose rows are in the scratch, and puts it into the queue.
+inline void push_shared_child(const WideSet& set, SearchWorkspace& work, int parent_index,
+                              int lane) {
+    const double* rows = work.scratch.get();
+    const auto at = [&](int i) { return rows[static_cast<std::ptrdiff_t>(i) * set.stride + lane]; };
+    SharedCell& child = work.cells.emplace_back();
+    const SharedCell& parent = work.cells[static_cast<std::size_t>(parent_index)];
+    for (int i = 0; i < 12; ++i) child.rows[static_cast<std::size_t>(i)] = at(i);
+    if (set.polar) {
+        for (int i = 0; i < 9; ++i) {
+            child.linear[static_cast<std::size_t>(i)] = at(SharedRows::linear + i);
+        }
+    } else {
+        child.constant = at(SharedRows::constant);
+    }
+    child.diameter = at(SharedRows::diameter);
+    child.base = at(SharedRows::base);
+    child.near = at(SharedRows::near);
+    child.far = at(SharedRows::far);
+    child.set = set.sets[static_cast<std::size_t>(lane)];
+    child.object = parent.object;
+    child.parent = parent_index;
+    child.symbol = set.maps[static_cast<std::size_t>(lane)];
+    child.level = parent.level + 1;
+    child.spheres = set.spheres;
+    work.queue.emplace_back(child.near, static_cast<int>(work.cells.size()) - 1);
+    std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+}
+
 /// Puts the children of a shared cell into the queue that a ray of the packet may meet.
 inline void open_shared_cell(const WideScene& scene, SearchWorkspace& work, int index) {
     const hn::ScalableTag<double> d;
@@ -151,30 +180,9 @@ inline void open_shared_cell(const WideScene& scene, SearchWorkspace& work, int 
         }
     }
     for (int lane = 0; lane < set.count; ++lane) {
-        const double near = row(SharedRows::near)[lane];
-        const double far = row(SharedRows::far)[lane];
-        if (!(near <= far)) continue;
-        SharedCell& child = work.cells.emplace_back();
-        for (int i = 0; i < 12; ++i) child.rows[static_cast<std::size_t>(i)] = row(i)[lane];
-        if (set.polar) {
-            for (int i = 0; i < 9; ++i) {
-                child.linear[static_cast<std::size_t>(i)] = row(SharedRows::linear + i)[lane];
-            }
-        } else {
-            child.constant = row(SharedRows::constant)[lane];
+        if (row(SharedRows::near)[lane] <= row(SharedRows::far)[lane]) {
+            push_shared_child(set, work, index, lane);
         }
-        child.diameter = row(SharedRows::diameter)[lane];
-        child.base = row(SharedRows::base)[lane];
-        child.near = near;
-        child.far = far;
-        child.set = set.sets[static_cast<std::size_t>(lane)];
-        child.object = parent.object;
-        child.parent = index;
-        child.symbol = set.maps[static_cast<std::size_t>(lane)];
-        child.level = parent.level + 1;
-        child.spheres = set.spheres;
-        work.queue.emplace_back(near, static_cast<int>(work.cells.size()) - 1);
-        std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
     }
 }
 

@@ -32,6 +32,34 @@ struct WalkedLanes {
     std::uint64_t entered = 0;  // a level gave a normal
 };
 
+/// What a level's normal counts for (Ch. 17).
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE V weight_of(D d, const PathWeights& weights, V diameter) {
+    if (weights.mode == kernels::ShadingMode::low_pass) return diameter;
+    if (weights.mode == kernels::ShadingMode::high_pass) {
+        return hn::Sub(hn::Set(d, weights.outermost), diameter);
+    }
+    return hn::Set(d, 1.0F);
+}
+
+/// The unit vector along the weighted sum, or along the plain one where nothing has a weight.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE Lanes3<V> total_normal(D d, const Lanes3<V>& weighted, const Lanes3<V>& plain, V total) {
+    const auto is_weighted = hn::Lt(hn::Zero(d), total);
+    const Lanes3<V> sum{hn::IfThenElse(is_weighted, weighted.x, plain.x),
+                        hn::IfThenElse(is_weighted, weighted.y, plain.y),
+                        hn::IfThenElse(is_weighted, weighted.z, plain.z)};
+    const V length = hn::Sqrt(dot(sum, sum));
+    return {hn::Div(sum.x, length), hn::Div(sum.y, length), hn::Div(sum.z, length)};
+}
+
+/// The diameters of the cells of a level: one for all, or each ray's own.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE V level_diameter(D d, const Path& path, const HitLanes& t, int level, int lane) {
+    if (level < path.shared) return hn::Set(d, path.rows[level][Path::diameter]);
+    return hn::LoadU(d, t.diameter[level - path.shared] + lane);
+}
+
 /// Walks the paths from the objects on. A walk is confirmed if the ray meets every cell within its
 /// parent's interval, and the last cell alone is terminal. Leaves the depths and total normals.
 template <int lanes>
@@ -58,22 +86,18 @@ inline WalkedLanes walk_lanes(const Path& path, const PathWeights& weights,
         auto unsure = hn::Lt(one, zero);
         auto entered = hn::Ne(dot(plain, plain), zero);
         for (int level = 0; level < most; ++level) {
-            const auto at = hn::Set(di, level);
-            const auto on = hn::RebindMask(d, hn::Lt(at, levels));
+            const auto on = hn::RebindMask(d, hn::Lt(hn::Set(di, level), levels));
             const auto final = hn::RebindMask(d, hn::Eq(hn::Set(di, level + 1), levels));
             const auto hit = [&](int i) HWY_ATTR { return hn::LoadU(d, t.hits[level][i] + lane); };
             const V entry = hit(0), leaving = hit(1);
             const V through = hn::Sub(leaving, entry);
             key = hn::IfThenElse(hn::And(on, hn::Lt(key, entry)), entry, key);
             exit = hn::IfThenElse(hn::And(on, hn::Lt(leaving, exit)), leaving, exit);
-            const V diameter = level < path.shared
-                                   ? hn::Set(d, path.rows[level][Path::diameter])
-                                   : hn::LoadU(d, t.diameter[level - path.shared] + lane);
+            const V diameter = level_diameter(d, path, t, level, lane);
             const V p =
                 hn::Max(hn::Add(pixel_base, hn::Mul(pixel_growth, key)), hn::Set(d, pixel_least));
-            const auto terminal = static_cast<std::uint32_t>(level) == last_level
-                                      ? hn::Le(zero, one)
-                                      : hn::Le(diameter, p);
+            const bool last = static_cast<std::uint32_t>(level) == last_level;
+            const auto terminal = hn::Le(last ? zero : diameter, p);
             auto right = hn::And(hn::Le(zero, through), hn::Le(key, exit));
             right = hn::AndNot(hn::Xor(terminal, final), right);
             confirmed = hn::And(confirmed, hn::Or(right, hn::Not(on)));
@@ -84,12 +108,7 @@ inline WalkedLanes walk_lanes(const Path& path, const PathWeights& weights,
             auto gives = hn::And(on, hn::Lt(start, entry));
             if (weights.mode == kernels::ShadingMode::facet) gives = hn::And(gives, final);
             entered = hn::Or(entered, gives);
-            V weight = one;
-            if (weights.mode == kernels::ShadingMode::low_pass) weight = diameter;
-            if (weights.mode == kernels::ShadingMode::high_pass) {
-                weight = hn::Sub(hn::Set(d, weights.outermost), diameter);
-            }
-            weight = hn::IfThenElseZero(gives, weight);
+            const V weight = hn::IfThenElseZero(gives, weight_of(d, weights, diameter));
             const Lanes3<V> normal{hn::IfThenElseZero(gives, hit(2)),
                                    hn::IfThenElseZero(gives, hit(3)),
                                    hn::IfThenElseZero(gives, hit(4))};
@@ -97,14 +116,9 @@ inline WalkedLanes walk_lanes(const Path& path, const PathWeights& weights,
             plain = add(plain, normal);
             total = hn::Add(total, weight);
         }
-        const auto is_weighted = hn::Lt(zero, total);
-        const Lanes3<V> sum{hn::IfThenElse(is_weighted, weighted.x, plain.x),
-                            hn::IfThenElse(is_weighted, weighted.y, plain.y),
-                            hn::IfThenElse(is_weighted, weighted.z, plain.z)};
-        const V length = hn::Sqrt(dot(sum, sum));
         hn::StoreU(key, d, t.depth + lane);
-        store3(Lanes3<V>{hn::Div(sum.x, length), hn::Div(sum.y, length), hn::Div(sum.z, length)}, d,
-               t.normal[0] + lane, HitLanes::most_lanes);
+        store3(total_normal(d, weighted, plain, total), d, t.normal[0] + lane,
+               HitLanes::most_lanes);
         walked.confirmed |= lane_bits(d, confirmed) << lane;
         walked.unsure |= lane_bits(d, unsure) << lane;
         walked.entered |= lane_bits(d, entered) << lane;

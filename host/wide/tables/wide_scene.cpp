@@ -113,6 +113,38 @@ double widest_around(const CompiledScene& scene, const CompiledObject& object) {
     return widest;
 }
 
+/// Object `i` of the scene; `first_set` is where its shape's sets begin.
+WideObject make_object(const CompiledScene& scene, std::size_t i, int first_set) {
+    const CompiledObject& object = scene.objects[i];
+    const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
+    const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(object.start)].volume;
+    WideObject result;
+    result.index = static_cast<int>(i);
+    result.to_unit = into_unit(inverse(object.instance), volume);
+    result.from_unit = inverse(result.to_unit);
+    result.linear = object.instance.linear;
+    result.set = first_set + object.start;
+    result.spheres = volume.kind == kernels::Volume::sphere;
+    result.constant = object.constant;
+    result.diameter = volume.diameter;
+    result.inverse_half = inverse_half(volume);
+    result.box = volume.kind == kernels::Volume::box;
+    result.smallest_pixel = smallest_pixel_share<double>() * object.diameter;
+    result.levels = object.levels;
+    result.hash = hash_symbols(object.prefix);
+    result.enclosing = object.enclosing;
+    result.widest = widest_around(scene, object);
+    result.colored =
+        std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
+    result.color = floats(object.color);
+    result.diffuse = static_cast<float>(object.diffuse);
+    result.reflect = static_cast<float>(object.reflect);
+    result.center = object.instance.point(volume.center);
+    result.radius = lipschitz_constant(object.instance) * volume.radius;
+    result.of_homotheties = is_of_homotheties(scene, object);
+    return result;
+}
+
 }  // namespace
 
 WideScene make_wide_scene(const CompiledScene& scene) {
@@ -143,36 +175,9 @@ WideScene make_wide_scene(const CompiledScene& scene) {
         }
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const CompiledObject& object = scene.objects[i];
         if (!wide.why_not[i].empty()) continue;
-        const auto index = static_cast<std::size_t>(object.shape);
-        const CompiledShape& shape = scene.shapes[index];
-        const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(object.start)].volume;
-        WideObject result;
-        result.index = static_cast<int>(i);
-        result.to_unit = into_unit(inverse(object.instance), volume);
-        result.from_unit = inverse(result.to_unit);
-        result.linear = object.instance.linear;
-        result.set = first_sets[index] + object.start;
-        result.spheres = volume.kind == kernels::Volume::sphere;
-        result.constant = object.constant;
-        result.diameter = volume.diameter;
-        result.inverse_half = inverse_half(volume);
-        result.box = volume.kind == kernels::Volume::box;
-        result.smallest_pixel = smallest_pixel_share<double>() * object.diameter;
-        result.levels = object.levels;
-        result.hash = hash_symbols(object.prefix);
-        result.enclosing = object.enclosing;
-        result.widest = widest_around(scene, object);
-        result.colored =
-            std::ranges::any_of(shape.maps, [](const CompiledMap& map) { return map.color.a > 0; });
-        result.color = floats(object.color);
-        result.diffuse = static_cast<float>(object.diffuse);
-        result.reflect = static_cast<float>(object.reflect);
-        result.center = object.instance.point(volume.center);
-        result.radius = lipschitz_constant(object.instance) * volume.radius;
-        result.of_homotheties = is_of_homotheties(scene, object);
-        wide.objects.push_back(result);
+        const auto shape = static_cast<std::size_t>(scene.objects[i].shape);
+        wide.objects.push_back(make_object(scene, i, first_sets[shape]));
     }
     tabulate_homotheties(wide);
     return wide;
