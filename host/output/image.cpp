@@ -227,7 +227,7 @@ ImageWriter::~ImageWriter() = default;
 void ImageWriter::append(const Frame& rows) {
     const int first = file_->next_row;
     file_->next_row += static_cast<int>(rows.rows());
-    const auto put = [&](OIIO::TypeDesc type, const void* pixels) {
+    const auto put = [&](const OIIO::TypeDesc& type, const void* pixels) {
         file_->require(file_->output->write_scanlines(first, file_->next_row, 0, type, pixels));
     };
     if (holds_floats(file_->path)) {

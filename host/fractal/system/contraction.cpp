@@ -67,7 +67,8 @@ Contraction by_words(const WordCode& code) {
         longest = std::max(longest, word.length);
     }
     const double n = 2 * (std::log(code.worst_prefix) - longest * log_rate) / -log_rate;
-    if (!(n < std::numeric_limits<int>::max() / 2)) return result;
+    constexpr int longest_length = std::numeric_limits<int>::max() / 2;
+    if (!(n < longest_length)) return result;
     result.proof = ContractionProof::words;
     result.rate = std::exp(log_rate / 2);
     // One more: its half of log_rate is far more than the rounding of these logarithms.
