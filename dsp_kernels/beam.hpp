@@ -218,7 +218,9 @@ class Beam {
 
     [[nodiscard]] bool is_lifted(const Cell<Real>& cell) noexcept {
         node_.tally(Operation::integer, 1);
-        return node_.shape_word(cell.object + ObjectRecord<real_words<Real>>::lifted) != 0;
+        const std::uint32_t squash =
+            node_.shape_word(cell.object + ObjectRecord<real_words<Real>>::squash);
+        return (squash & squash_flat) != 0;
     }
     /// Cells without thickness are seen as balls, so that they do not vanish edge on.
     [[nodiscard]] bool is_near(const Cell<Real>& cell, const Vec3<Real>& aside) noexcept {

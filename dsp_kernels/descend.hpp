@@ -8,6 +8,7 @@
 #include "dsp_kernels/flatness.hpp"
 #include "dsp_kernels/scene_block.hpp"
 #include "dsp_kernels/search.hpp"
+#include "dsp_kernels/steepness.hpp"
 #include "dsp_kernels/volume.hpp"
 
 namespace pxm::kernels {
@@ -107,10 +108,11 @@ void outermost_cell(Node& node, const Search<Real>& search, std::uint32_t object
 
 /// Steps 2.4.1 to 2.4.3: the cell of a map inside `parent`. Its interval is not set yet, nor its
 /// composed linear part (complete_child). o M^-1 W_i^-1 is computed as (o M^-1) W_i^-1.
-/// Precondition: the parent's word has room for one more symbol.
+/// Precondition: the parent's word has room for one more symbol. `composed`, if it is wanted, is the
+/// parent's M^-1; where maps are steep it is made short enough for the child's.
 template <NodeLike Node, class Real = typename Node::Real>
 void child_cell(Node& node, const Search<Real>& search, const Cell<Real>& parent, std::uint32_t map,
-                Cell<Real>& child) noexcept {
+                Cell<Real>& child, Linear<Real>* composed = nullptr) noexcept {
     using Map = MapRecord<real_words<Real>>;
     using Object = ObjectRecord<real_words<Real>>;
     child.ray = transform_ray(node, parent.ray, read_affine(node, map + Map::inverse));
@@ -125,9 +127,11 @@ void child_cell(Node& node, const Search<Real>& search, const Cell<Real>& parent
     for (std::uint32_t i = 0; i < used; ++i) child.word.packed[i] = parent.word.packed[i];
     child.word.set(parent.level, parent.bits, node.shape_word(map + Map::symbol));
     child.lost_axes = 0;
-    if (node.shape_word(child.object + Object::lifted) != 0) {
-        keep_thickness(node, search, parent, map, child);
-    }
+    const std::uint32_t squash = node.shape_word(child.object + Object::squash);
+    if (squash == 0) return;
+    node.tally(Operation::integer, 2);
+    if ((squash & squash_steep) != 0) enter_steep(node, parent, map, child, composed);
+    if ((squash & squash_flat) != 0) keep_thickness(node, search, parent, map, child);
 }
 
 /// The composed linear part of a child that the ray meets: x T_i T_parent.

@@ -28,6 +28,12 @@ enum class Lipschitz : std::uint32_t { product, determinant, polar };
 enum class Method : std::uint32_t { heap, fast };  // of intersection: Alg. 12.4, Ch. 13
 enum class LightKind : std::uint32_t { directional, point };
 
+/// What the maps of an object squash so much that a ray needs care on its way into their cells.
+enum Squash : std::uint32_t {
+    squash_flat = 1,   // singular maps, which were lifted (dsp_kernels/flatness)
+    squash_steep = 2,  // maps with a SteepRecord (dsp_kernels/steepness)
+};
+
 inline constexpr std::uint32_t unlimited_levels = 0xFFFF'FFFF;
 
 /// At address 0. An eye ray of pixel (x, y) goes through corner + (x + u) across + (y + v) down,
@@ -88,7 +94,7 @@ struct ObjectRecord : Record<R, 6, 29> {
     static constexpr std::uint32_t lipschitz = Base::integer(1);
     static constexpr std::uint32_t levels = Base::integer(2);       // or unlimited_levels
     static constexpr std::uint32_t symbol_bits = Base::integer(3);  // of a map in a cell's word
-    static constexpr std::uint32_t lifted = Base::integer(4);       // 1: has lifted singular maps
+    static constexpr std::uint32_t squash = Base::integer(4);       // bits of Squash
     static constexpr std::uint32_t enclosing = Base::integer(5);    // a record like this, of a cell
                                                                     // around it that shades; or 0
     static constexpr std::uint32_t inverse = Base::real(0);         // M^-1 of the instance
@@ -154,6 +160,18 @@ struct MapRecord : Record<R, 3, 33> {
     static constexpr std::uint32_t lost = Base::real(26);      // up to two unit axes it squashes
     static constexpr std::uint32_t least = Base::real(32);     // least diameter of its cell, as a
                                                                // share of the cell's around it
+};
+
+/// Comes after the record of a map of a steep object: its inverse in two parts, of which one alone
+/// stretches very much. x W^-1 = x across + (x . axis + height) up. Of a map that is not steep
+/// itself the axis is 0.
+template <std::uint32_t R>
+struct SteepRecord : Record<R, 0, 19> {
+    using Base = Record<R, 0, 19>;
+    static constexpr std::uint32_t across = Base::real(0);   // onto the plane through 0 across `up`
+    static constexpr std::uint32_t axis = Base::real(12);    // as long as the map's stretch
+    static constexpr std::uint32_t height = Base::real(15);  // of the image of 0
+    static constexpr std::uint32_t up = Base::real(16);      // unit vector
 };
 
 template <std::uint32_t R>

@@ -157,7 +157,7 @@ Vec3<Real> walk_path(Node& node, const Sighting<Real>& seen, ShadingMode mode,
         const std::uint32_t map =
             map_from(node, cell.follow_set, hit.word.get(cell.level, hit.bits));
         Cell<Real> child;
-        child_cell(node, seen.search, cell, map, child);
+        child_cell(node, seen.search, cell, map, child, &inverse);
         if (polar) complete_child(node, cell, map, child);
         inverse =
             compose(node, inverse, read_linear(node, map + Map::inverse));  // M^-1 W_i1^-1 ...

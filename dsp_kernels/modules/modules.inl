@@ -44,7 +44,7 @@ template void approach(Node&, Cell<float>&) noexcept;
 template bool meet(Node&, const Search<float>&, Cell<float>&, float, float) noexcept;
 template void outermost_cell(Node&, const Search<float>&, std::uint32_t, Cell<float>&) noexcept;
 template void child_cell(Node&, const Search<float>&, const Cell<float>&, std::uint32_t,
-                         Cell<float>&) noexcept;
+                         Cell<float>&, Linear<float>*) noexcept;
 template std::uint32_t map_from(Node&, std::uint32_t, std::uint32_t) noexcept;
 template Ending ending(Node&, const Search<float>&, const Cell<float>&) noexcept;
 template float pixel_at(Node&, const Search<float>&, std::uint32_t, float) noexcept;
@@ -185,6 +185,11 @@ template Search<float> search_from_light(Node&, const Search<float>&, const Vec3
 template std::optional<Interval<float>> intersect_sphere(Node&, const Ray<float>&,
                                                          std::uint32_t) noexcept;
 template Vec3<float> sphere_normal(Node&, const Ray<float>&, float, std::uint32_t) noexcept;
+
+// Module "steepness": rays on their way into cells of maps that squash much.
+#include "dsp_kernels/steepness.hpp"
+template void enter_steep(Node&, const Cell<float>&, std::uint32_t, Cell<float>&,
+                          Linear<float>*) noexcept;
 
 // Module "texture": the textures of a plane, in spots along a pixel's footprint.
 #include "dsp_kernels/texture.hpp"

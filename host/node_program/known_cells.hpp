@@ -113,7 +113,7 @@ template <NodeLike Node, class Real = typename Node::Real>
                               const kernels::Cell<Real>& cell) noexcept {
     using Object = kernels::ObjectRecord<real_words<Real>>;
     constexpr double share = 0.5;  // of a pixel: a step is a quarter to half of one
-    if (node.shape_word(cell.object + Object::lifted) != 0) return false;
+    if ((node.shape_word(cell.object + Object::squash) & kernels::squash_flat) != 0) return false;
     const double pixel = to_double(kernels::pixel_at(node, search, cell.object, cell.key));
     const double step = share * to_double(search.detail) * pixel;
     return known.contains(sketch_of(node, cell, step), to_double(cell.exit));

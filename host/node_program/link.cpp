@@ -9,6 +9,7 @@
 
 #include "host/error.hpp"
 #include "host/node_program/module_table.hpp"
+#include "host/node_program/steepness.hpp"
 #include "pxm/model.hpp"
 #include "pxm/node.hpp"
 
@@ -101,6 +102,7 @@ void ModuleChoice::choose_volumes() {
         return shape.lipschitz == kernels::Lipschitz::polar;
     });
     const bool lifted = std::ranges::any_of(scene_.shapes, &CompiledShape::lifted);
+    const bool steep = std::ranges::count(steep_shapes(scene_), true) > 0;
     take("sphere", any_volume(scene_, kernels::Volume::sphere), "bounding spheres",
          "no bounding sphere");
     take("box", any_volume(scene_, kernels::Volume::box), "bounding boxes", "no bounding box");
@@ -112,6 +114,7 @@ void ModuleChoice::choose_volumes() {
     take("polar", polar, "maps that are no similitudes, or lipschitz: polar",
          "Lipschitz constants by product or determinant");
     take("flatness", lifted, "lifted singular maps", "no singular map");
+    take("steepness", steep, "maps that squash very much", "no map squashes very much");
 }
 
 void ModuleChoice::choose_floor() {

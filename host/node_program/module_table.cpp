@@ -14,28 +14,29 @@ const std::vector<MeasuredModule> module_table{
     {"box", 844, 28, 0},
     {"camera", 294, 0, 0},
     {"cone", 1023, 28, 0},
-    {"covers", 4191, 12, 0},
+    {"covers", 4197, 12, 0},
     {"cylinder", 842, 28, 0},
-    {"descend", 1244, 52, 0},
+    {"descend", 1280, 52, 0},
     {"flatness", 959, 24, 0},
     {"heap", 998, 0, 0},
     {"hull", 758, 12, 0},
     {"illuminate", 20, 0, 0},
-    {"intersect", 804, 0, 0},
+    {"intersect", 807, 0, 0},
     {"intersect_fast", 2777, 20, 0},
     {"mirror", 221, 16, 0},
-    {"next_after", 1223, 4, 0},
+    {"next_after", 1226, 4, 0},
     {"oriented", 1069, 32, 0},
     {"orthographic", 79, 4, 0},
     {"perspective", 50, 0, 0},
     {"pixel_program", 145, 0, 0},
     {"plane", 658, 16, 0},
-    {"point_light", 1709, 20, 0},
+    {"point_light", 1717, 20, 0},
     {"polar", 941, 28, 0},
-    {"shade", 2051, 68, 0},
+    {"shade", 2059, 68, 0},
     {"shadow", 83, 0, 0},
     {"shadow_point", 209, 0, 0},
     {"sphere", 305, 0, 0},
+    {"steepness", 794, 28, 0},
     {"texture", 1515, 44, 0},
     {"texture_image", 944, 12, 0},
     {"texture_inclusion", 1721, 28, 0},
@@ -49,38 +50,38 @@ const std::vector<MeasuredModule> module_table{
 
 const std::vector<MeasuredFunction> function_table{
     // module, function, stack bytes, the functions it calls by their place here
-    {"beam", "reach_in_beam", 96, {202, 212, 12, 13}},  // 0
-    {"beam", "center_in_beam", 96, {199, 202, 206}},  // 1
-    {"beam", "Beam::ray_through", 64, {199, 206, 213}},  // 2
+    {"beam", "reach_in_beam", 96, {205, 215, 12, 13}},  // 0
+    {"beam", "center_in_beam", 96, {202, 205, 209}},  // 1
+    {"beam", "Beam::ray_through", 64, {202, 209, 216}},  // 2
     {"beam", "Beam::places_around", 112, {14}},  // 3
-    {"beam", "Beam::places_inside", 256, {199, 202, 45, 47, 205, 207, 9, 10, 208, 209, 53}},  // 4
+    {"beam", "Beam::places_inside", 256, {202, 205, 45, 47, 208, 210, 9, 10, 211, 212, 53}},  // 4
     {"beam", "Beam::columns_before", 8, {}},  // 5
-    {"beam", "Beam::look", 864, {201, 202, 44, 0, 1, 205, 206, 3, 4, 7, 8, 11, 57, 59, 49, 210, 53, 212}},  // 6
+    {"beam", "Beam::look", 864, {204, 205, 44, 0, 1, 208, 209, 3, 4, 7, 8, 11, 57, 59, 49, 213, 53, 215}},  // 6
     {"beam", "Beam::meet", 80, {0, 1, 3, 53}},  // 7
-    {"beam", "Beam::show", 96, {199, 10, 208, 68}},  // 8
+    {"beam", "Beam::show", 96, {202, 10, 211, 68}},  // 8
     {"beam", "Beam::cross", 8, {}},  // 9
     {"beam", "Beam::place", 8, {}},  // 10
     {"beam", "Cell::Cell", 8, {}},  // 11
-    {"beam", "reach_in_beam (part)", 48, {207}},  // 12
+    {"beam", "reach_in_beam (part)", 48, {210}},  // 12
     {"beam", "reach_in_beam (part)", 8, {}},  // 13
     {"beam", "Beam::places_around (part)", 64, {5}},  // 14
-    {"box", "box_normal", 128, {202, 17, 19}},  // 15
+    {"box", "box_normal", 128, {205, 17, 19}},  // 15
     {"box", "clip_to_slab", 8, {}},  // 16
     {"box", "decisive_face", 8, {}},  // 17
-    {"box", "intersect_box", 112, {202, 16}},  // 18
+    {"box", "intersect_box", 112, {205, 16}},  // 18
     {"box", "box_normal (part)", 8, {}},  // 19
-    {"camera", "eye_ray", 96, {199, 202, 104, 103}},  // 20
-    {"cone", "cone_normal", 128, {199, 202, 22, 207, 212}},  // 21
+    {"camera", "eye_ray", 96, {202, 205, 104, 103}},  // 20
+    {"cone", "cone_normal", 128, {202, 205, 22, 210, 215}},  // 21
     {"cone", "clip_to_mantle", 8, {}},  // 22
-    {"cone", "intersect_cone", 80, {202, 22, 212}},  // 23
+    {"cone", "intersect_cone", 80, {205, 22, 215}},  // 23
     {"covers", "next_after", 432, {32, 34, 92, 93, 94, 52, 68}},  // 24
     {"covers", "covers_along", 768, {73, 24, 32, 68, 35, 38}},  // 25
     {"covers", "covers_along", 768, {73, 24, 32, 68, 36, 39}},  // 26
     {"covers", "MissedChildren::shown", 8, {}},  // 27
-    {"covers", "MissedChildren::missed", 80, {202, 45, 113, 207, 51, 212}},  // 28
+    {"covers", "MissedChildren::missed", 80, {205, 45, 113, 210, 51, 215}},  // 28
     {"covers", "cover_children", 464, {43, 27, 28, 113, 32, 59, 48, 51}},  // 29
     {"covers", "CoverRule::operator (part)", 464, {43, 27, 28, 113, 32, 48, 51}},  // 30
-    {"covers", "shrunk_for_covers", 96, {199, 202, 208, 53, 212}},  // 31
+    {"covers", "shrunk_for_covers", 96, {202, 205, 211, 53, 215}},  // 31
     {"covers", "Cell::Cell", 8, {}},  // 32
     {"covers", "ending", 48, {44}},  // 33
     {"covers", "look_at", 80, {45, 30, 66, 49, 53, 68}},  // 34
@@ -90,21 +91,21 @@ const std::vector<MeasuredFunction> function_table{
     {"covers", "CoverWalk::tell", 32, {66, 37}},  // 38
     {"covers", "CoverWalk::tell", 32, {66}},  // 39
     {"cylinder", "within_mantle", 8, {}},  // 40
-    {"cylinder", "cylinder_normal", 128, {199, 202, 40, 212}},  // 41
-    {"cylinder", "intersect_cylinder", 96, {202, 40, 212}},  // 42
-    {"descend", "child_cell", 144, {200, 203, 55}},  // 43
+    {"cylinder", "cylinder_normal", 128, {202, 205, 40, 215}},  // 41
+    {"cylinder", "intersect_cylinder", 96, {205, 40, 215}},  // 42
+    {"descend", "child_cell", 160, {128, 203, 206, 55}},  // 43
     {"descend", "at_last_level", 8, {}},  // 44
     {"descend", "cell_diameter", 32, {114}},  // 45
-    {"descend", "outermost_cell", 176, {200, 201, 203, 51}},  // 46
+    {"descend", "outermost_cell", 176, {203, 204, 206, 51}},  // 46
     {"descend", "intersect_volume", 8, {18, 23, 71, 127, 42, 101}},  // 47
     {"descend", "meet", 112, {44, 47, 31, 50}},  // 48
     {"descend", "ending", 48, {44, 45, 53}},  // 49
-    {"descend", "approach", 80, {202, 209}},  // 50
+    {"descend", "approach", 80, {205, 212}},  // 50
     {"descend", "is_polar", 8, {}},  // 51
     {"descend", "map_from", 8, {}},  // 52
     {"descend", "pixel_at", 8, {}},  // 53
-    {"flatness", "undo_squash", 80, {199, 207, 212}},  // 54
-    {"flatness", "keep_thickness", 208, {201, 202, 54, 206, 207, 51, 53, 213}},  // 55
+    {"flatness", "undo_squash", 80, {202, 210, 215}},  // 54
+    {"flatness", "keep_thickness", 208, {204, 205, 54, 209, 210, 51, 53, 216}},  // 55
     {"heap", "cell_words", 8, {}},  // 56
     {"heap", "Heap::pop", 16, {60, 62, 64}},  // 57
     {"heap", "Heap::keep", 8, {67}},  // 58
@@ -118,26 +119,26 @@ const std::vector<MeasuredFunction> function_table{
     {"heap", "before", 8, {}},  // 66
     {"heap", "copy_cell", 32, {56}},  // 67
     {"heap", "move_cell", 8, {67}},  // 68
-    {"hull", "cross_plane", 80, {202, 207}},  // 69
-    {"hull", "hull_normal", 128, {69, 202, 212}},  // 70
-    {"hull", "intersect_hull", 112, {69, 202, 212}},  // 71
-    {"illuminate", "facing", 16, {207}},  // 72
+    {"hull", "cross_plane", 80, {205, 210}},  // 69
+    {"hull", "hull_normal", 128, {69, 205, 215}},  // 70
+    {"hull", "intersect_hull", 112, {69, 205, 215}},  // 71
+    {"illuminate", "facing", 16, {210}},  // 72
     {"intersect", "count_heap", 8, {}},  // 73
     {"intersect", "first_cell", 16, {84, 78}},  // 74
     {"intersect", "push_objects", 384, {46, 77, 59, 48}},  // 75
     {"intersect", "push_children", 416, {43, 113, 77, 59, 48, 51}},  // 76
     {"intersect", "Cell::Cell", 8, {}},  // 77
     {"intersect", "intersect", 112, {73, 89, 75, 76, 77, 57, 49}},  // 78
-    {"intersect_fast", "project_ray", 192, {200, 202, 203, 207, 209, 212, 213}},  // 79
+    {"intersect_fast", "project_ray", 192, {203, 205, 206, 210, 212, 215, 216}},  // 79
     {"intersect_fast", "include_point", 8, {}},  // 80
-    {"intersect_fast", "project_child", 128, {199, 202, 207, 212}},  // 81
+    {"intersect_fast", "project_child", 128, {202, 205, 210, 215}},  // 81
     {"intersect_fast", "search_object", 416, {79, 80, 83, 85, 86, 87}},  // 82
     {"intersect_fast", "ProjectedStack::push", 16, {}},  // 83
     {"intersect_fast", "intersect_fast", 416, {82, 78}},  // 84
-    {"intersect_fast", "push_projected", 128, {202, 80, 81, 83}},  // 85
+    {"intersect_fast", "push_projected", 128, {205, 80, 81, 83}},  // 85
     {"intersect_fast", "ending", 48, {53}},  // 86
-    {"intersect_fast", "as_cell", 128, {201, 208, 51}},  // 87
-    {"mirror", "mirrored", 112, {199, 207, 213}},  // 88
+    {"intersect_fast", "as_cell", 128, {204, 211, 51}},  // 87
+    {"mirror", "mirrored", 112, {202, 210, 216}},  // 88
     {"next_after", "next_after", 432, {90, 66, 49, 92, 93, 94, 52, 68}},  // 89
     {"next_after", "Cell::Cell", 8, {}},  // 90
     {"next_after", "CellPath::make_again", 352, {90, 62, 93, 94, 52, 68, 95}},  // 91
@@ -145,124 +146,127 @@ const std::vector<MeasuredFunction> function_table{
     {"next_after", "CellPath::down", 368, {43, 113, 90, 58, 48, 51, 68}},  // 93
     {"next_after", "CellPath::start", 32, {46, 48}},  // 94
     {"next_after", "CellWord::get", 8, {}},  // 95
-    {"oriented", "along_axes", 64, {207}},  // 96
+    {"oriented", "along_axes", 64, {210}},  // 96
     {"oriented", "clip_to_slab", 8, {}},  // 97
     {"oriented", "decisive_face", 8, {}},  // 98
     {"oriented", "oriented_normal", 128, {98, 100, 102}},  // 99
-    {"oriented", "to_oriented_box", 96, {96, 201, 202, 212}},  // 100
+    {"oriented", "to_oriented_box", 96, {96, 204, 205, 215}},  // 100
     {"oriented", "intersect_oriented", 80, {97, 100}},  // 101
-    {"oriented", "oriented_normal (part)", 32, {202}},  // 102
-    {"orthographic", "orthographic_ray", 32, {199, 202}},  // 103
-    {"perspective", "perspective_ray", 16, {213}},  // 104
-    {"pixel_program", "read_frame_constants", 32, {202}},  // 105
-    {"plane", "nearest_plane", 96, {202, 207}},  // 106
-    {"plane", "plane_surface", 144, {129, 202, 207, 211, 132}},  // 107
-    {"point_light", "facing_point_light", 944, {43, 116, 201, 202, 113, 46, 47, 118, 109, 110, 120, 208, 72, 210, 50, 51, 52, 68, 111}},  // 108
-    {"point_light", "direction_to_point_light", 80, {212, 213}},  // 109
+    {"oriented", "oriented_normal (part)", 32, {205}},  // 102
+    {"orthographic", "orthographic_ray", 32, {202, 205}},  // 103
+    {"perspective", "perspective_ray", 16, {216}},  // 104
+    {"pixel_program", "read_frame_constants", 32, {205}},  // 105
+    {"plane", "nearest_plane", 96, {205, 210}},  // 106
+    {"plane", "plane_surface", 144, {132, 205, 210, 214, 135}},  // 107
+    {"point_light", "facing_point_light", 944, {43, 116, 204, 205, 113, 46, 47, 118, 109, 110, 120, 211, 72, 213, 50, 51, 52, 68, 111}},  // 108
+    {"point_light", "direction_to_point_light", 80, {215, 216}},  // 109
     {"point_light", "Cell::Cell", 8, {}},  // 110
-    {"point_light", "AddPointLight::operator", 96, {45, 109, 72, 121, 211}},  // 111
+    {"point_light", "AddPointLight::operator", 96, {45, 109, 72, 121, 214}},  // 111
     {"polar", "jacobi_rotate", 8, {}},  // 112
-    {"polar", "complete_child", 144, {201, 210}},  // 113
-    {"polar", "largest_singular_value", 128, {112, 207, 208}},  // 114
-    {"shade", "surface_at", 112, {118, 120, 213, 122}},  // 115
-    {"shade", "cell_normal", 96, {117, 205, 213}},  // 116
+    {"polar", "complete_child", 144, {204, 213}},  // 113
+    {"polar", "largest_singular_value", 128, {112, 210, 211}},  // 114
+    {"shade", "surface_at", 112, {118, 120, 216, 122}},  // 115
+    {"shade", "cell_normal", 96, {117, 208, 216}},  // 116
     {"shade", "volume_normal", 8, {15, 21, 70, 126, 41, 99}},  // 117
     {"shade", "outermost_diameter", 368, {45, 46, 119}},  // 118
     {"shade", "Cell::Cell", 8, {}},  // 119
-    {"shade", "blend", 112, {199, 202, 208}},  // 120
-    {"shade", "PathSum::add", 48, {199}},  // 121
-    {"shade", "walk_path", 896, {43, 116, 201, 202, 113, 46, 47, 119, 120, 210, 50, 51, 52, 68, 123}},  // 122
+    {"shade", "blend", 112, {202, 205, 211}},  // 120
+    {"shade", "PathSum::add", 48, {202}},  // 121
+    {"shade", "walk_path", 896, {43, 116, 204, 205, 113, 46, 47, 119, 120, 213, 50, 51, 52, 68, 123}},  // 122
     {"shade", "AddNormal::operator", 48, {45, 121}},  // 123
     {"shadow", "search_to_light", 8, {}},  // 124
-    {"shadow_point", "search_from_light", 80, {207, 212, 213}},  // 125
-    {"sphere", "sphere_normal", 96, {199, 202, 212}},  // 126
-    {"sphere", "intersect_sphere", 112, {202, 207, 212}},  // 127
-    {"texture", "in_repeats", 48, {207}},  // 128
-    {"texture", "layer_color", 192, {199, 128, 202, 130, 212}},  // 129
-    {"texture", "texture_color", 48, {147, 135, 202, 139, 133}},  // 130
-    {"texture", "place_of", 8, {}},  // 131
-    {"texture", "footprint", 96, {199, 207, 208, 213}},  // 132
-    {"texture", "is_beyond (part)", 8, {}},  // 133
-    {"texture_image", "neighbours", 8, {}},  // 134
-    {"texture_image", "image_color", 128, {136, 137, 208, 131}},  // 135
-    {"texture_image", "image_level", 208, {134, 137, 138}},  // 136
-    {"texture_image", "mix", 96, {199, 212}},  // 137
-    {"texture_image", "texel", 8, {}},  // 138
-    {"texture_inclusion", "inclusion_color", 96, {199, 202, 141, 212}},  // 139
-    {"texture_inclusion", "largest_stretch", 8, {}},  // 140
-    {"texture_inclusion", "inclusion_coverage", 1744, {140, 142, 143, 131, 144, 145}},  // 141
-    {"texture_inclusion", "outermost_point_cell", 16, {140, 145}},  // 142
-    {"texture_inclusion", "times", 8, {}},  // 143
-    {"texture_inclusion", "Inclusion::is_open", 80, {143, 145}},  // 144
-    {"texture_inclusion", "read_vec2", 8, {}},  // 145
-    {"texture_wood", "pxm::floor_integer", 8, {}},  // 146
-    {"texture_wood", "wood_color", 192, {199, 202, 149, 150, 208, 131, 153, 212}},  // 147
-    {"texture_wood", "ring_darkness", 48, {146}},  // 148
-    {"texture_wood", "board_darkness", 48, {151, 152}},  // 149
-    {"texture_wood", "share_in_stripes", 48, {154}},  // 150
-    {"texture_wood", "noise", 112, {146, 155}},  // 151
-    {"texture_wood", "rings_at", 48, {148, 151}},  // 152
-    {"texture_wood", "scramble", 8, {}},  // 153
-    {"texture_wood", "share_in_stripes (part)", 32, {146}},  // 154
-    {"texture_wood", "noise (part)", 16, {153}},  // 155
-    {"trace", "PixelStore::byte", 8, {}},  // 156
-    {"trace", "render_pixel", 688, {199, 74, 115, 106, 107, 159, 160, 20, 53, 211, 68}},  // 157
-    {"trace", "pixel_program", 976, {156, 157, 105, 65}},  // 158
-    {"trace", "Tracer::shade", 128, {199, 202, 108, 72}},  // 159
-    {"trace", "Tracer::is_most", 8, {}},  // 160
-    {"trace_all", "PixelStore::byte", 8, {}},  // 161
-    {"trace_all", "Tracer::shade (part)", 256, {199, 202, 26, 124, 125, 108, 167, 72}},  // 162
-    {"trace_all", "render_pixel", 3440, {165, 166, 20}},  // 163
-    {"trace_all", "pixel_program", 976, {161, 163, 105, 165, 65}},  // 164
-    {"trace_all", "Cell::Cell", 8, {}},  // 165
-    {"trace_all", "Tracer::look_along", 128, {199, 107, 167, 168, 169, 170, 211}},  // 166
-    {"trace_all", "Tracer::meets_plane", 8, {106}},  // 167
-    {"trace_all", "Tracer::look_through_covers", 560, {115, 25, 165, 169, 170, 53, 211, 68}},  // 168
-    {"trace_all", "Tracer::shade", 160, {199, 162, 88}},  // 169
-    {"trace_all", "Tracer::is_most", 8, {}},  // 170
-    {"trace_area", "PixelStore::byte", 8, {}},  // 171
-    {"trace_area", "beam_frame", 96, {199, 202, 207, 213}},  // 172
-    {"trace_area", "Tracer::shade (part)", 144, {199, 202, 108, 181, 72}},  // 173
-    {"trace_area", "render_pixel", 4832, {178, 179, 20}},  // 174
-    {"trace_area", "pixel_program", 976, {171, 174, 105, 178, 65}},  // 175
-    {"trace_area", "Beam::place", 8, {}},  // 176
-    {"trace_area", "Beam::Beam", 32, {172}},  // 177
-    {"trace_area", "Cell::Cell", 8, {}},  // 178
-    {"trace_area", "Tracer::look_along", 48, {199, 180, 182, 184, 185}},  // 179
-    {"trace_area", "Tracer::show_plane", 128, {107, 183, 187, 188, 211}},  // 180
-    {"trace_area", "Tracer::light_share", 480, {74, 202, 124, 125, 182}},  // 181
-    {"trace_area", "Tracer::meets_plane", 8, {106}},  // 182
-    {"trace_area", "Tracer::plane_color", 384, {199, 106, 107, 2, 176, 177, 208}},  // 183
-    {"trace_area", "Tracer::look_at_first", 368, {74, 186}},  // 184
-    {"trace_area", "Tracer::look_over_area", 400, {73, 2, 6, 176, 177, 184, 186}},  // 185
-    {"trace_area", "Tracer::show", 160, {115, 187, 188, 53, 211, 68}},  // 186
-    {"trace_area", "Tracer::shade", 160, {199, 173, 88}},  // 187
-    {"trace_area", "Tracer::is_most", 8, {}},  // 188
-    {"trace_rays", "PixelStore::byte", 8, {}},  // 189
-    {"trace_rays", "Tracer::shade (part)", 144, {199, 202, 108, 194, 72}},  // 190
-    {"trace_rays", "render_pixel", 848, {193, 20}},  // 191
-    {"trace_rays", "pixel_program", 976, {189, 191, 105, 65}},  // 192
-    {"trace_rays", "Tracer::look_along", 128, {199, 107, 195, 196, 197, 198, 211}},  // 193
-    {"trace_rays", "Tracer::light_share", 480, {74, 202, 124, 125, 195}},  // 194
-    {"trace_rays", "Tracer::meets_plane", 8, {106}},  // 195
-    {"trace_rays", "Tracer::look_at_first", 496, {74, 115, 197, 198, 53, 211, 68}},  // 196
-    {"trace_rays", "Tracer::shade", 160, {199, 190, 88}},  // 197
-    {"trace_rays", "Tracer::is_most", 8, {}},  // 198
-    {"vectors", "add_scaled", 8, {}},  // 199
-    {"vectors", "read_affine", 96, {201, 202}},  // 200
-    {"vectors", "read_linear", 32, {202}},  // 201
-    {"vectors", "read_vector", 8, {}},  // 202
-    {"vectors", "transform_ray", 48, {204, 206}},  // 203
-    {"vectors", "transform_point", 8, {}},  // 204
-    {"vectors", "transform_normal", 64, {207}},  // 205
-    {"vectors", "transform_direction", 8, {}},  // 206
-    {"vectors", "dot", 8, {}},  // 207
-    {"vectors", "scale", 8, {}},  // 208
-    {"vectors", "rebase", 80, {199, 207, 212}},  // 209
-    {"vectors", "compose", 48, {206}},  // 210
-    {"vectors", "point_at", 8, {199}},  // 211
-    {"vectors", "subtract", 8, {}},  // 212
-    {"vectors", "normalize", 64, {207, 208}},  // 213
+    {"shadow_point", "search_from_light", 80, {210, 215, 216}},  // 125
+    {"sphere", "sphere_normal", 96, {202, 205, 215}},  // 126
+    {"sphere", "intersect_sphere", 112, {205, 210, 215}},  // 127
+    {"steepness", "enter_steep", 64, {129, 130, 211}},  // 128
+    {"steepness", "enter_along_axis", 192, {202, 203, 205, 207, 130, 209, 210}},  // 129
+    {"steepness", "sum_of_magnitudes", 8, {}},  // 130
+    {"texture", "in_repeats", 48, {210}},  // 131
+    {"texture", "layer_color", 192, {202, 131, 205, 133, 215}},  // 132
+    {"texture", "texture_color", 48, {150, 138, 205, 142, 136}},  // 133
+    {"texture", "place_of", 8, {}},  // 134
+    {"texture", "footprint", 96, {202, 210, 211, 216}},  // 135
+    {"texture", "is_beyond (part)", 8, {}},  // 136
+    {"texture_image", "neighbours", 8, {}},  // 137
+    {"texture_image", "image_color", 128, {139, 140, 211, 134}},  // 138
+    {"texture_image", "image_level", 208, {137, 140, 141}},  // 139
+    {"texture_image", "mix", 96, {202, 215}},  // 140
+    {"texture_image", "texel", 8, {}},  // 141
+    {"texture_inclusion", "inclusion_color", 96, {202, 205, 144, 215}},  // 142
+    {"texture_inclusion", "largest_stretch", 8, {}},  // 143
+    {"texture_inclusion", "inclusion_coverage", 1744, {143, 145, 146, 134, 147, 148}},  // 144
+    {"texture_inclusion", "outermost_point_cell", 16, {143, 148}},  // 145
+    {"texture_inclusion", "times", 8, {}},  // 146
+    {"texture_inclusion", "Inclusion::is_open", 80, {146, 148}},  // 147
+    {"texture_inclusion", "read_vec2", 8, {}},  // 148
+    {"texture_wood", "pxm::floor_integer", 8, {}},  // 149
+    {"texture_wood", "wood_color", 192, {202, 205, 152, 153, 211, 134, 156, 215}},  // 150
+    {"texture_wood", "ring_darkness", 48, {149}},  // 151
+    {"texture_wood", "board_darkness", 48, {154, 155}},  // 152
+    {"texture_wood", "share_in_stripes", 48, {157}},  // 153
+    {"texture_wood", "noise", 112, {149, 158}},  // 154
+    {"texture_wood", "rings_at", 48, {151, 154}},  // 155
+    {"texture_wood", "scramble", 8, {}},  // 156
+    {"texture_wood", "share_in_stripes (part)", 32, {149}},  // 157
+    {"texture_wood", "noise (part)", 16, {156}},  // 158
+    {"trace", "PixelStore::byte", 8, {}},  // 159
+    {"trace", "render_pixel", 688, {202, 74, 115, 106, 107, 162, 163, 20, 53, 214, 68}},  // 160
+    {"trace", "pixel_program", 976, {159, 160, 105, 65}},  // 161
+    {"trace", "Tracer::shade", 128, {202, 205, 108, 72}},  // 162
+    {"trace", "Tracer::is_most", 8, {}},  // 163
+    {"trace_all", "PixelStore::byte", 8, {}},  // 164
+    {"trace_all", "Tracer::shade (part)", 256, {202, 205, 26, 124, 125, 108, 170, 72}},  // 165
+    {"trace_all", "render_pixel", 3440, {168, 169, 20}},  // 166
+    {"trace_all", "pixel_program", 976, {164, 166, 105, 168, 65}},  // 167
+    {"trace_all", "Cell::Cell", 8, {}},  // 168
+    {"trace_all", "Tracer::look_along", 128, {202, 107, 170, 171, 172, 173, 214}},  // 169
+    {"trace_all", "Tracer::meets_plane", 8, {106}},  // 170
+    {"trace_all", "Tracer::look_through_covers", 560, {115, 25, 168, 172, 173, 53, 214, 68}},  // 171
+    {"trace_all", "Tracer::shade", 160, {202, 165, 88}},  // 172
+    {"trace_all", "Tracer::is_most", 8, {}},  // 173
+    {"trace_area", "PixelStore::byte", 8, {}},  // 174
+    {"trace_area", "beam_frame", 96, {202, 205, 210, 216}},  // 175
+    {"trace_area", "Tracer::shade (part)", 144, {202, 205, 108, 184, 72}},  // 176
+    {"trace_area", "render_pixel", 4832, {181, 182, 20}},  // 177
+    {"trace_area", "pixel_program", 976, {174, 177, 105, 181, 65}},  // 178
+    {"trace_area", "Beam::place", 8, {}},  // 179
+    {"trace_area", "Beam::Beam", 32, {175}},  // 180
+    {"trace_area", "Cell::Cell", 8, {}},  // 181
+    {"trace_area", "Tracer::look_along", 48, {202, 183, 185, 187, 188}},  // 182
+    {"trace_area", "Tracer::show_plane", 128, {107, 186, 190, 191, 214}},  // 183
+    {"trace_area", "Tracer::light_share", 480, {74, 205, 124, 125, 185}},  // 184
+    {"trace_area", "Tracer::meets_plane", 8, {106}},  // 185
+    {"trace_area", "Tracer::plane_color", 384, {202, 106, 107, 2, 179, 180, 211}},  // 186
+    {"trace_area", "Tracer::look_at_first", 368, {74, 189}},  // 187
+    {"trace_area", "Tracer::look_over_area", 400, {73, 2, 6, 179, 180, 187, 189}},  // 188
+    {"trace_area", "Tracer::show", 160, {115, 190, 191, 53, 214, 68}},  // 189
+    {"trace_area", "Tracer::shade", 160, {202, 176, 88}},  // 190
+    {"trace_area", "Tracer::is_most", 8, {}},  // 191
+    {"trace_rays", "PixelStore::byte", 8, {}},  // 192
+    {"trace_rays", "Tracer::shade (part)", 144, {202, 205, 108, 197, 72}},  // 193
+    {"trace_rays", "render_pixel", 848, {196, 20}},  // 194
+    {"trace_rays", "pixel_program", 976, {192, 194, 105, 65}},  // 195
+    {"trace_rays", "Tracer::look_along", 128, {202, 107, 198, 199, 200, 201, 214}},  // 196
+    {"trace_rays", "Tracer::light_share", 480, {74, 205, 124, 125, 198}},  // 197
+    {"trace_rays", "Tracer::meets_plane", 8, {106}},  // 198
+    {"trace_rays", "Tracer::look_at_first", 496, {74, 115, 200, 201, 53, 214, 68}},  // 199
+    {"trace_rays", "Tracer::shade", 160, {202, 193, 88}},  // 200
+    {"trace_rays", "Tracer::is_most", 8, {}},  // 201
+    {"vectors", "add_scaled", 8, {}},  // 202
+    {"vectors", "read_affine", 96, {204, 205}},  // 203
+    {"vectors", "read_linear", 32, {205}},  // 204
+    {"vectors", "read_vector", 8, {}},  // 205
+    {"vectors", "transform_ray", 48, {207, 209}},  // 206
+    {"vectors", "transform_point", 8, {}},  // 207
+    {"vectors", "transform_normal", 64, {210}},  // 208
+    {"vectors", "transform_direction", 8, {}},  // 209
+    {"vectors", "dot", 8, {}},  // 210
+    {"vectors", "scale", 8, {}},  // 211
+    {"vectors", "rebase", 80, {202, 210, 215}},  // 212
+    {"vectors", "compose", 48, {209}},  // 213
+    {"vectors", "point_at", 8, {202}},  // 214
+    {"vectors", "subtract", 8, {}},  // 215
+    {"vectors", "normalize", 64, {210, 211}},  // 216
 };
 // clang-format on
 

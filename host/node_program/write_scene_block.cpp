@@ -8,6 +8,7 @@
 #include "dsp_kernels/floor_block.hpp"
 #include "host/math/lipschitz.hpp"
 #include "host/node_program/block_writer.hpp"
+#include "host/node_program/steepness.hpp"
 #include "host/node_program/write_floor_block.hpp"
 #include "host/text/digest.hpp"
 #include "pxm/real.hpp"
@@ -117,13 +118,33 @@ void write_inverse(BlockWriter<long double>& block, std::uint32_t address, const
     write(-(back * Vector(map.translation)));
 }
 
+/// Writes the two parts of the inverse of a map that squashes much; of another, nothing.
+template <class Real>
+void write_steep(BlockWriter<Real>& block, std::uint32_t address, const CompiledMap& map) {
+    using Steep = kernels::SteepRecord<real_words<Real>>;
+    const SingularValues singular = singular_values(map.map.linear);
+    const auto& values = singular.values;
+    if (!map.lost.empty() || values[0] <= least_steep * values[2]) return;
+    Affine across;
+    across.linear = glm::outerProduct(singular.input[0], singular.output[0] / values[0]) +
+                    glm::outerProduct(singular.input[1], singular.output[1] / values[1]);
+    across.translation = -(across.linear * map.map.translation);
+    const glm::dvec3 axis = singular.output[2] / values[2];
+    block.affine(address + Steep::across, across);
+    block.vector(address + Steep::axis, axis);
+    block.real(address + Steep::height, -glm::dot(axis, map.map.translation));
+    block.vector(address + Steep::up, singular.input[2]);
+}
+
 /// Writes a shape's maps and follow sets; returns the addresses of the sets.
 template <class Real>
 std::vector<std::uint32_t> write_shape(BlockWriter<Real>& block, const CompiledShape& shape,
-                                       bool area) {
+                                       bool area, bool steep) {
     using Map = kernels::MapRecord<real_words<Real>>;
     using FollowSet = kernels::FollowSetRecord<real_words<Real>>;
-    const std::uint32_t maps = block.grow(shape.maps.size() * Map::words);
+    using Steep = kernels::SteepRecord<real_words<Real>>;
+    const std::uint32_t map_words = Map::words + (steep ? Steep::words : 0);
+    const std::uint32_t maps = block.grow(shape.maps.size() * map_words);
     std::vector<std::uint32_t> sets;
     for (const CompiledSet& set : shape.sets) {
         const std::uint32_t address =
@@ -133,13 +154,13 @@ std::vector<std::uint32_t> write_shape(BlockWriter<Real>& block, const CompiledS
         write_volume(block, address, set.volume);
         std::uint32_t entry = address + FollowSet::maps;
         for (const int map : set.maps) {
-            block.integer(entry++, maps + static_cast<std::uint32_t>(map) * Map::words);
+            block.integer(entry++, maps + static_cast<std::uint32_t>(map) * map_words);
         }
         if (area) block.real(entry, set.coverage);
     }
     for (std::size_t i = 0; i < shape.maps.size(); ++i) {
         const CompiledMap& map = shape.maps[i];
-        const std::uint32_t address = maps + static_cast<std::uint32_t>(i) * Map::words;
+        const std::uint32_t address = maps + static_cast<std::uint32_t>(i) * map_words;
         block.integer(address + Map::follow_set, sets[static_cast<std::size_t>(map.follow_set)]);
         block.integer(address + Map::symbol, static_cast<std::uint32_t>(i));
         write_inverse(block, address + Map::inverse, map.map);
@@ -154,6 +175,7 @@ std::vector<std::uint32_t> write_shape(BlockWriter<Real>& block, const CompiledS
         block.integer(address + Map::lost_axes, axes);
         block.vector(address + Map::color, glm::dvec3{map.color});
         block.real(address + Map::color + 3 * real_words<Real>, map.color.a);
+        if (steep) write_steep(block, address + Map::words, map);
     }
     return sets;
 }
@@ -166,7 +188,6 @@ void write_object(BlockWriter<Real>& block, std::uint32_t address, const Compile
     block.integer(address + Object::lipschitz, static_cast<std::uint32_t>(shape.lipschitz));
     block.integer(address + Object::levels, object.levels);
     block.integer(address + Object::symbol_bits, symbol_bits(shape.maps.size()));
-    block.integer(address + Object::lifted, shape.lifted ? 1 : 0);
     block.integer(address + Object::enclosing, enclosing);
     write_inverse(block, address + Object::inverse, object.instance);
     block.linear(address + Object::linear, object.instance.linear);
@@ -176,6 +197,11 @@ void write_object(BlockWriter<Real>& block, std::uint32_t address, const Compile
     block.real(address + Object::diffuse, object.diffuse);
     block.real(address + Object::opacity, object.opacity);
     block.real(address + Object::reflect, object.reflect);
+}
+
+/// What rays need care of on the way into a shape's cells.
+std::uint32_t squash_of(const CompiledShape& shape, bool steep) {
+    return (shape.lifted ? kernels::squash_flat : 0U) | (steep ? kernels::squash_steep : 0U);
 }
 
 /// Writes cells that only shade, as objects that nothing is looked for in; returns where each is.
@@ -291,9 +317,12 @@ std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
     std::uint32_t object_address = block.grow(scene.objects.size() * Object::words);
     block.integer(Header::objects, object_address);
     block.integer(Header::object_count, static_cast<std::uint32_t>(scene.objects.size()));
+    // Numbers of twice the length have the digits and the range that steep maps ask for.
+    const std::vector<bool> steep =
+        real_words<Real> == 1 ? steep_shapes(scene) : std::vector<bool>(scene.shapes.size(), false);
     std::vector<std::vector<std::uint32_t>> sets;
-    for (const CompiledShape& shape : scene.shapes) {
-        sets.push_back(write_shape(block, shape, scene.area));
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        sets.push_back(write_shape(block, scene.shapes[i], scene.area, steep[i]));
     }
     const std::vector<std::uint32_t> enclosures = write_enclosures(block, scene.enclosures);
     for (const CompiledObject& object : scene.objects) {
@@ -301,6 +330,8 @@ std::vector<std::uint32_t> make_scene_block(const CompiledScene& scene) {
         write_object(block, object_address, object, scene.shapes[shape],
                      sets[shape][static_cast<std::size_t>(object.start)],
                      at_or_none(enclosures, object.enclosing));
+        block.integer(object_address + Object::squash,
+                      squash_of(scene.shapes[shape], steep[shape]));
         object_address += Object::words;
     }
     write_lights(block, scene);

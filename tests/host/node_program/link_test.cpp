@@ -85,6 +85,10 @@ const std::vector<Feature> features{
      simple + "ifs leaf { newmap scale: 0.5,0,0.5 newmap scale: 0.5 translate: 0,0.5,0 }"
               "object leaf { ifs: leaf sphere: (0,0,0) 2 } render { lipschitz: product }",
      "flatness"},
+    {simple + "render { lipschitz: polar }",
+     simple + "ifs thin { newmap scale: 0.5,0.00001,0.5 newmap scale: 0.5 translate: 0,0.5,0 }"
+              "object thin { ifs: thin sphere: (0,0,0) 2 } render { lipschitz: polar }",
+     "steepness"},
     {simple, simple + "plane floor { normal: 0,1,0 }", "plane"},
     {simple + "texture w { wood } plane { normal: 0,1,0 texture: w }",
      simple + "texture w { wood } texture g { ifs: gasket } plane { normal: 0,1,0 texture: w, g }",

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cfenv>
 
+#include "host/study/deviation.hpp"
 #include "host/study/stability_cases.hpp"
 #include "tests/support/render_text.hpp"
 
@@ -72,20 +73,38 @@ TEST(Alarms, pixels_finer_than_the_floor_are_told) {
     EXPECT_EQ(count_of(parallel(1e7, Numeric::double_), "floored"), 0U);
 }
 
-TEST(Alarms, results_beyond_the_range_are_told_and_double_has_more_of_it) {
-    const std::vector<StabilityCase> cases = stability_cases();
-    const auto squash = std::ranges::find(cases, "squash 0.0001", &StabilityCase::name);
-    ASSERT_NE(squash, cases.end());
-    const std::string squashed = squash->text(1);
+RenderResult squash_in(const std::string& scene, Numeric numeric) {
     RenderRequest request;
     request.overrides.volume = VolumeKind::sphere;
     request.overrides.intersect = IntersectMethod::heap;
+    request.overrides.numeric = numeric;
+    return test::render_text(scene, request);
+}
+
+TEST(Alarms, results_beyond_the_range_are_told_and_double_has_more_of_it) {
+    const std::string squashed =
+        "ifs a { newmap rotate: x,20 scale: 0.5,1e-30,0.5 rotate: z,30 "
+        "newmap scale: 0.5 translate: 1,0,0 } ";
     for (const Numeric numeric : {Numeric::dsp32, Numeric::single}) {
-        request.overrides.numeric = numeric;
-        EXPECT_GT(count_of(test::render_text(squashed, request), "overflow"), 0U);
+        EXPECT_GT(count_of(squash_in(squashed, numeric), "overflow"), 0U);
     }
-    request.overrides.numeric = Numeric::double_;
-    EXPECT_EQ(count_of(test::render_text(squashed, request), "overflow"), 0U);
+    EXPECT_EQ(count_of(squash_in(squashed, Numeric::double_), "overflow"), 0U);
+}
+
+TEST(Alarms, directions_too_long_to_be_squared_raise_none_and_lose_no_cell) {
+    int found = 0;
+    for (const StabilityCase& one : stability_cases()) {
+        if (one.family != "squash") continue;
+        ++found;
+        const RenderResult reference = squash_in(one.text(1), Numeric::double_);
+        for (const Numeric numeric : {Numeric::dsp32, Numeric::single}) {
+            const RenderResult picture = squash_in(one.text(1), numeric);
+            EXPECT_EQ(count_of(picture, "overflow"), 0U) << one.name;
+            EXPECT_EQ(count_of(picture, "not_finite"), 0U) << one.name;
+            EXPECT_LE(deviation_of(picture, reference).wrong_share, 0.001) << one.name;
+        }
+    }
+    EXPECT_EQ(found, 6);
 }
 
 /// The trough z = x^2: the matrices of its cells become nearly diagonal, and the rotation that
