@@ -4,11 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "host/commands/options.hpp"
 #include "host/process/exit_code.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace pxm::host {
 
@@ -16,27 +13,27 @@ namespace pxm::host {
 using CommandAction = std::function<ExitCode()>;
 
 struct AddedCommand {
-    CLI::App* options;
+    CommandOptions command;
     CommandAction action;
 };
 /// Adds every command, in the order of the help.
-[[nodiscard]] std::vector<AddedCommand> add_commands(CLI::App& app);
+[[nodiscard]] std::vector<AddedCommand> add_commands(CommandLine& line);
 
 /// `pxm render SCENE [-o OUT]`.
-[[nodiscard]] CommandAction add_render_command(CLI::App& app);
+[[nodiscard]] AddedCommand add_render_command(CommandLine& line);
 /// `pxm check SCENE... [--werror] [--format]`.
-[[nodiscard]] CommandAction add_check_command(CLI::App& app);
+[[nodiscard]] AddedCommand add_check_command(CommandLine& line);
 /// `pxm points SCENE -n N -o OUT.ply`.
-[[nodiscard]] CommandAction add_points_command(CLI::App& app);
+[[nodiscard]] AddedCommand add_points_command(CommandLine& line);
 /// `pxm inspect SCENE [--json] [-o FILE]`.
-[[nodiscard]] CommandAction add_inspect_command(CLI::App& app);
+[[nodiscard]] AddedCommand add_inspect_command(CommandLine& line);
 /// `pxm compare A B`.
-[[nodiscard]] CommandAction add_compare_command(CLI::App& app);
+[[nodiscard]] AddedCommand add_compare_command(CommandLine& line);
 /// `pxm import FILE [-o SCENE]`.
-[[nodiscard]] CommandAction add_import_command(CLI::App& app);
+[[nodiscard]] AddedCommand add_import_command(CommandLine& line);
 /// `pxm study KIND SCENE... -o DIR`.
-[[nodiscard]] CommandAction add_study_command(CLI::App& app);
+[[nodiscard]] AddedCommand add_study_command(CommandLine& line);
 /// `pxm models`.
-[[nodiscard]] CommandAction add_models_command(CLI::App& app);
+[[nodiscard]] AddedCommand add_models_command(CommandLine& line);
 
 }  // namespace pxm::host

@@ -1,5 +1,4 @@
 // `pxm check SCENE...`: what is known of scenes without rendering them; or a scene formatted.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -62,19 +61,17 @@ ExitCode check(const CheckArguments& arguments) {
 
 }  // namespace
 
-CommandAction add_check_command(CLI::App& app) {
+AddedCommand add_check_command(CommandLine& line) {
     const auto a = std::make_shared<CheckArguments>();
-    CLI::App* command =
-        app.add_subcommand("check", "Say what is wrong with scenes, without rendering");
-    command->add_option("scenes", a->scenes, "The scene files (.pxm)")
-        ->required()
-        ->check(some_text());
-    add_set_option(*command, a->set);
-    add_allow_option(*command, a->allowed);
-    command->add_flag("--werror", a->werror, "Warnings count as errors");
-    command->add_flag("--format", a->format,
-                      "Print the scene formatted, with its comments, on the standard output");
-    return [a] { return check(*a); };
+    CommandOptions command =
+        line.add_command("check", "Say what is wrong with scenes, without rendering");
+    command.add_option("scenes", a->scenes, "The scene files (.pxm)").required().check(some_text());
+    add_set_option(command, a->set);
+    add_allow_option(command, a->allowed);
+    command.add_flag("--werror", a->werror, "Warnings count as errors");
+    command.add_flag("--format", a->format,
+                     "Print the scene formatted, with its comments, on the standard output");
+    return {command, [a] { return check(*a); }};
 }
 
 }  // namespace pxm::host

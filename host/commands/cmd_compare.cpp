@@ -1,7 +1,6 @@
 // `pxm compare A B`: what two renders of the same picture disagree about.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "host/commands/cmd.hpp"
@@ -55,18 +54,18 @@ ExitCode compare(const CompareArguments& arguments) {
 
 }  // namespace
 
-CommandAction add_compare_command(CLI::App& app) {
+AddedCommand add_compare_command(CommandLine& line) {
     const auto a = std::make_shared<CompareArguments>();
-    CLI::App* command = app.add_subcommand("compare", "Compare two EXR renders");
-    command->add_option("a", a->a, "The first render")->required();
-    command->add_option("b", a->b, "The second render")->required();
+    CommandOptions command = line.add_command("compare", "Compare two EXR renders");
+    command.add_option("a", a->a, "The first render").required();
+    command.add_option("b", a->b, "The second render").required();
     command
-        ->add_option(
+        .add_option(
             "--tolerance", a->tolerance,
             "Share of pixels that may differ (hit, depth by over a pixel, or colour by over "
             "1/255); over it the exit code is 6. Default 0")
-        ->transform(share());
-    return [a] { return compare(*a); };
+        .transform(share());
+    return {command, [a] { return compare(*a); }};
 }
 
 }  // namespace pxm::host

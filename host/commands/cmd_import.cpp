@@ -1,7 +1,6 @@
 // `pxm import FILE [-o SCENE]`: an L-system, a FRACTINT entry, an image or points as a scene.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -60,25 +59,25 @@ ExitCode import(const ImportArguments& arguments) {
 
 }  // namespace
 
-CommandAction add_import_command(CLI::App& app) {
+AddedCommand add_import_command(CommandLine& line) {
     const auto a = std::make_shared<ImportArguments>();
-    CLI::App* command = app.add_subcommand(
+    CommandOptions command = line.add_command(
         "import", "Turn a FRACTINT .ifs or .l entry, an image or a list of points into a scene");
     command
-        ->add_option("file", a->request.path,
-                     "A FRACTINT file (.ifs, .l), points (.xy, .txt), or an image")
-        ->required();
-    command->add_option("-o,--out", a->out,
-                        "The scene; - is the standard output; default: the entry's name + .pxm");
-    command->add_flag("--force", a->force, "Replace a scene of the entry's name that is there");
-    command->add_option("--entry", a->entry, "The entry of a FRACTINT file that has several");
-    command->add_option("--maps", a->request.maps, "Maps to find for an image or points; default 4")
-        ->transform(whole_number(1, most_moment_maps));
-    command->add_option("--seed", a->request.seed, "Of the search for them; default 1")
-        ->transform(any_whole_number());
-    command->add_option("--seconds", a->request.seconds, "Time for the search; default 20")
-        ->transform(number_within(0, 86400));
-    return [a] { return import(*a); };
+        .add_option("file", a->request.path,
+                    "A FRACTINT file (.ifs, .l), points (.xy, .txt), or an image")
+        .required();
+    command.add_option("-o,--out", a->out,
+                       "The scene; - is the standard output; default: the entry's name + .pxm");
+    command.add_flag("--force", a->force, "Replace a scene of the entry's name that is there");
+    command.add_option("--entry", a->entry, "The entry of a FRACTINT file that has several");
+    command.add_option("--maps", a->request.maps, "Maps to find for an image or points; default 4")
+        .transform(whole_number(1, most_moment_maps));
+    command.add_option("--seed", a->request.seed, "Of the search for them; default 1")
+        .transform(any_whole_number());
+    command.add_option("--seconds", a->request.seconds, "Time for the search; default 20")
+        .transform(number_within(0, 86400));
+    return {command, [a] { return import(*a); }};
 }
 
 }  // namespace pxm::host

@@ -1,5 +1,4 @@
 // `pxm inspect SCENE`: what the scene is and what it will need, without rendering.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
@@ -59,22 +58,22 @@ ExitCode inspect_scene(const InspectArguments& arguments) {
 
 }  // namespace
 
-CommandAction add_inspect_command(CLI::App& app) {
+AddedCommand add_inspect_command(CommandLine& line) {
     const auto a = std::make_shared<InspectArguments>();
-    CLI::App* command =
-        app.add_subcommand("inspect", "Say what a scene is and needs, without rendering");
-    command->add_option("scene", a->scene, "The scene file (.pxm)")->required()->check(some_text());
-    command->add_flag("--json", a->json, "As JSON");
+    CommandOptions command =
+        line.add_command("inspect", "Say what a scene is and needs, without rendering");
+    command.add_option("scene", a->scene, "The scene file (.pxm)").required().check(some_text());
+    command.add_flag("--json", a->json, "As JSON");
     command
-        ->add_option("--point", a->point,
-                     "Print the attractor's point whose address repeats these maps")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    add_set_option(*command, a->set);
-    command->add_option("-o,--out", a->out, "Write to this file; default: the standard output")
-        ->check(some_text());
-    add_allow_option(*command, a->allowed);
-    return [a] { return inspect_scene(*a); };
+        .add_option("--point", a->point,
+                    "Print the attractor's point whose address repeats these maps")
+        .delimiter(',')
+        .one_value();
+    add_set_option(command, a->set);
+    command.add_option("-o,--out", a->out, "Write to this file; default: the standard output")
+        .check(some_text());
+    add_allow_option(command, a->allowed);
+    return {command, [a] { return inspect_scene(*a); }};
 }
 
 }  // namespace pxm::host

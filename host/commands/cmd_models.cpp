@@ -3,7 +3,6 @@
 // torus links.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -112,17 +111,17 @@ ExitCode send_token(const Model& model) {
 
 }  // namespace
 
-CommandAction add_models_command(CLI::App& app) {
+AddedCommand add_models_command(CommandLine& line) {
     const auto a = std::make_shared<ModelsArguments>();
-    CLI::App* command = app.add_subcommand("models", "The machine models and their memories");
-    auto* json = command->add_flag("--json", a->json, "As JSON");
-    command->add_option("--token", a->token, "Send a token round the torus links of this model")
-        ->excludes(json);
-    return [a] {
-        if (!a->token.empty()) return send_token(parse_model("--token", a->token));
-        put_result(a->json ? models_json() : models_text());
-        return ExitCode::done;
-    };
+    CommandOptions command = line.add_command("models", "The machine models and their memories");
+    const Option json = command.add_flag("--json", a->json, "As JSON");
+    command.add_option("--token", a->token, "Send a token round the torus links of this model")
+        .excludes(json);
+    return {command, [a] {
+                if (!a->token.empty()) return send_token(parse_model("--token", a->token));
+                put_result(a->json ? models_json() : models_text());
+                return ExitCode::done;
+            }};
 }
 
 }  // namespace pxm::host

@@ -1,5 +1,4 @@
 // `pxm points SCENE -n N -o OUT.ply`: the attractors drawn the explicit way (Alg. 7.1).
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -140,24 +139,24 @@ ExitCode run_points(const PointsArguments& arguments) {
 
 }  // namespace
 
-CommandAction add_points_command(CLI::App& app) {
+AddedCommand add_points_command(CommandLine& line) {
     const auto a = std::make_shared<PointsArguments>();
-    CLI::App* command = app.add_subcommand("points", "Draw a point cloud by the chaos game");
-    command->add_option("scene", a->scene, "The scene file (.pxm)")->required();
-    command->add_option("-n,--count", a->count, "How many points")
-        ->required()
-        ->transform(whole_number(1, 1'000'000'000'000));
+    CommandOptions command = line.add_command("points", "Draw a point cloud by the chaos game");
+    command.add_option("scene", a->scene, "The scene file (.pxm)").required();
+    command.add_option("-n,--count", a->count, "How many points")
+        .required()
+        .transform(whole_number(1, 1'000'000'000'000));
     command
-        ->add_option("-o,--out", a->out,
-                     "The point cloud, binary PLY; its coordinates are doubles where "
-                     "floats would not keep the shape, as far from the origin")
-        ->required();
-    command->add_option("--seed", a->seed, "Another seed gives other points (default 1)")
-        ->transform(any_whole_number());
-    add_set_option(*command, a->set);
-    add_allow_option(*command, a->allowed);
-    command->add_flag("--quiet", a->quiet, "No progress bar");
-    return [a] { return run_points(*a); };
+        .add_option("-o,--out", a->out,
+                    "The point cloud, binary PLY; its coordinates are doubles where "
+                    "floats would not keep the shape, as far from the origin")
+        .required();
+    command.add_option("--seed", a->seed, "Another seed gives other points (default 1)")
+        .transform(any_whole_number());
+    add_set_option(command, a->set);
+    add_allow_option(command, a->allowed);
+    command.add_flag("--quiet", a->quiet, "No progress bar");
+    return {command, [a] { return run_points(*a); }};
 }
 
 }  // namespace pxm::host

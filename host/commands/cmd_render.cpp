@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -198,50 +197,47 @@ ExitCode render_picture(const RenderArguments& arguments) {
 
 }  // namespace
 
-CommandAction add_render_command(CLI::App& app) {
+AddedCommand add_render_command(CommandLine& line) {
     const auto a = std::make_shared<RenderArguments>();
-    CLI::App* command = app.add_subcommand("render", "Render a scene to a picture");
-    command->add_option("scene", a->scene, "The scene file (.pxm)")->required();
-    command->add_option("-o,--out", a->out,
-                        "The picture, by extension png, exr, tif, jpg, ...; "
-                        "default: the scene's name + .png");
-    auto* native = command->add_flag("--native", a->native, "On the cores at hand (default)");
+    CommandOptions command = line.add_command("render", "Render a scene to a picture");
+    command.add_option("scene", a->scene, "The scene file (.pxm)").required();
+    command.add_option("-o,--out", a->out,
+                       "The picture, by extension png, exr, tif, jpg, ...; "
+                       "default: the scene's name + .png");
+    const Option native = command.add_flag("--native", a->native, "On the cores at hand (default)");
     command
-        ->add_option("--machine", a->machine, "On a simulated Pixel Machine: 964dX, 964, 940, ...")
-        ->excludes(native);
-    command->add_option("--cost-model", a->cost_model,
-                        "Cycles of the machine's operations, a JSON file (docs/machine.md)");
-    add_threads_option(*command, a->threads);
-    command->add_option("--stats", a->stats, "Write statistics to this JSON file");
-    add_set_option(*command, a->set);
-    command->add_option("--size", a->size, "WxH in pixels");
-    command->add_option("--crop", a->crop, "x0,y0,x1,y1: only this window, half open");
-    command->add_option("--levels", a->levels, "Stop after so many maps")
-        ->transform(whole_number(0, 1'000'000'000));
-    command->add_option("--zoom", a->zoom, "Move the eye to look + (eye - look) / F")
-        ->transform(positive_number());
-    command->add_option("--numeric", a->numeric, "dsp32, float or double");
-    command->add_option("--samples", a->samples, "Samples a pixel")
-        ->transform(whole_number(1, 65536));
-    command->add_option("--covers", a->covers, "on, off, area, or tmin,tmax in pixels");
-    command->add_option("--shading", a->shading, "constant, low-pass, high-pass or facet");
-    command->add_option("--intersect", a->intersect, "auto, heap, fast or wide");
-    command->add_option("--lipschitz", a->lipschitz, "auto, product, determinant or polar");
-    command->add_option("--volume", a->volume, "auto, sphere, box, oriented or hull");
-    command->add_option("--detail", a->detail, "Cells are terminal at so many pixels")
-        ->transform(positive_number());
-    command->add_option("--heap", a->heap, "Entries of the heap")
-        ->transform(whole_number(1, 65536));
-    command->add_option("--aov", a->aov,
-                        "Extra EXR channels: Z,node,cycles,volumes,level,heap,"
-                        "alpha,object,word,N");
-    command->add_option("--pixel", a->pixel, "x,y: print this pixel's descent instead");
-    command->add_flag("--quiet", a->quiet, "No progress bar, no summary");
-    add_allow_option(*command, a->allowed);
-    for (CLI::Option* option : command->get_options()) {
-        if (option->get_expected_min() > 0) option->check(some_text());
-    }
-    return [a] { return a->pixel.empty() ? render_picture(*a) : explain(*a); };
+        .add_option("--machine", a->machine, "On a simulated Pixel Machine: 964dX, 964, 940, ...")
+        .excludes(native);
+    command.add_option("--cost-model", a->cost_model,
+                       "Cycles of the machine's operations, a JSON file (docs/machine.md)");
+    add_threads_option(command, a->threads);
+    command.add_option("--stats", a->stats, "Write statistics to this JSON file");
+    add_set_option(command, a->set);
+    command.add_option("--size", a->size, "WxH in pixels");
+    command.add_option("--crop", a->crop, "x0,y0,x1,y1: only this window, half open");
+    command.add_option("--levels", a->levels, "Stop after so many maps")
+        .transform(whole_number(0, 1'000'000'000));
+    command.add_option("--zoom", a->zoom, "Move the eye to look + (eye - look) / F")
+        .transform(positive_number());
+    command.add_option("--numeric", a->numeric, "dsp32, float or double");
+    command.add_option("--samples", a->samples, "Samples a pixel")
+        .transform(whole_number(1, 65536));
+    command.add_option("--covers", a->covers, "on, off, area, or tmin,tmax in pixels");
+    command.add_option("--shading", a->shading, "constant, low-pass, high-pass or facet");
+    command.add_option("--intersect", a->intersect, "auto, heap, fast or wide");
+    command.add_option("--lipschitz", a->lipschitz, "auto, product, determinant or polar");
+    command.add_option("--volume", a->volume, "auto, sphere, box, oriented or hull");
+    command.add_option("--detail", a->detail, "Cells are terminal at so many pixels")
+        .transform(positive_number());
+    command.add_option("--heap", a->heap, "Entries of the heap").transform(whole_number(1, 65536));
+    command.add_option("--aov", a->aov,
+                       "Extra EXR channels: Z,node,cycles,volumes,level,heap,"
+                       "alpha,object,word,N");
+    command.add_option("--pixel", a->pixel, "x,y: print this pixel's descent instead");
+    command.add_flag("--quiet", a->quiet, "No progress bar, no summary");
+    add_allow_option(command, a->allowed);
+    command.check_all(some_text());
+    return {command, [a] { return a->pixel.empty() ? render_picture(*a) : explain(*a); }};
 }
 
 }  // namespace pxm::host

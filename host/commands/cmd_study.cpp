@@ -1,5 +1,4 @@
 // `pxm study KIND SCENE... -o DIR`: an experiment with a report (docs/studies.md).
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -49,34 +48,34 @@ ExitCode study(const StudyArguments& a) {
 
 }  // namespace
 
-CommandAction add_study_command(CLI::App& app) {
+AddedCommand add_study_command(CommandLine& line) {
     const auto a = std::make_shared<StudyArguments>();
-    CLI::App* command =
-        app.add_subcommand("study", "Measure balance, error, stability or shading, with a report");
-    command->add_option("kind", a->kind, "balance, error, stability or shading")->required();
-    command->add_option("scenes", a->request.scenes, "The scene files (.pxm)");
-    command->add_option("-o,--out", a->request.folder, "The folder of the report")->required();
-    command->add_option("--size", a->size, "WxH in pixels, of every render");
-    command->add_option("--machine", a->machine, "The model to measure on; default 964dX");
-    command->add_option("--numeric", a->numeric, "balance: dsp32, float or double");
-    add_threads_option(*command, a->threads);
-    add_set_option(*command, a->set);
-    command->add_option("--samples", a->request.samples, "shading: points looked at")
-        ->transform(whole_number(100, 10'000'000));
-    command->add_option("--repeats", a->request.repeats, "error: renders a host time is taken of")
-        ->transform(whole_number(1, 100));
+    CommandOptions command =
+        line.add_command("study", "Measure balance, error, stability or shading, with a report");
+    command.add_option("kind", a->kind, "balance, error, stability or shading").required();
+    command.add_option("scenes", a->request.scenes, "The scene files (.pxm)");
+    command.add_option("-o,--out", a->request.folder, "The folder of the report").required();
+    command.add_option("--size", a->size, "WxH in pixels, of every render");
+    command.add_option("--machine", a->machine, "The model to measure on; default 964dX");
+    command.add_option("--numeric", a->numeric, "balance: dsp32, float or double");
+    add_threads_option(command, a->threads);
+    add_set_option(command, a->set);
+    command.add_option("--samples", a->request.samples, "shading: points looked at")
+        .transform(whole_number(100, 10'000'000));
+    command.add_option("--repeats", a->request.repeats, "error: renders a host time is taken of")
+        .transform(whole_number(1, 100));
     command
-        ->add_option("--budget", a->request.budget_seconds,
-                     "error: name the best settings within so many host seconds")
-        ->transform(positive_number());
+        .add_option("--budget", a->request.budget_seconds,
+                    "error: name the best settings within so many host seconds")
+        .transform(positive_number());
     command
-        ->add_option("--target", a->request.target_error,
-                     "error: name the fastest settings with no more than this RMSE")
-        ->transform(positive_number());
-    command->add_flag("--fresh", a->request.fresh, "Measure again what is there already");
-    command->add_flag("--quiet", a->request.quiet, "No progress");
-    add_allow_option(*command, a->request.allowed);
-    return [a] { return study(*a); };
+        .add_option("--target", a->request.target_error,
+                    "error: name the fastest settings with no more than this RMSE")
+        .transform(positive_number());
+    command.add_flag("--fresh", a->request.fresh, "Measure again what is there already");
+    command.add_flag("--quiet", a->request.quiet, "No progress");
+    add_allow_option(command, a->request.allowed);
+    return {command, [a] { return study(*a); }};
 }
 
 }  // namespace pxm::host

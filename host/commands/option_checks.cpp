@@ -14,8 +14,7 @@ namespace {
 /// Puts the number's canonical text in place of what was written, or names what was found. `range`
 /// stands in the help.
 template <class Number, class Allowed>
-CLI::Validator number_check(const std::string& range, const std::string& expected,
-                            Allowed allowed) {
+OptionCheck number_check(const std::string& range, const std::string& expected, Allowed allowed) {
     const auto check = [=](std::string& text) -> std::string {
         const auto value = number_of_text<Number>(text);
         if (!value || !allowed(*value))
@@ -23,39 +22,39 @@ CLI::Validator number_check(const std::string& range, const std::string& expecte
         text = fmt::format("{}", *value);
         return {};
     };
-    return {check, range, ""};
+    return {check, range};
 }
 
 }  // namespace
 
-CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
+OptionCheck whole_number(std::uint64_t low, std::uint64_t high) {
     return number_check<std::uint64_t>(
         fmt::format("{} to {}", low, high), fmt::format("a whole number from {} to {}", low, high),
         [=](std::uint64_t value) { return low <= value && value <= high; });
 }
 
-CLI::Validator any_whole_number() {
+OptionCheck any_whole_number() {
     constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-    return whole_number(0, most).description("");
+    return {whole_number(0, most).look, ""};
 }
 
-CLI::Validator positive_number() {
+OptionCheck positive_number() {
     return number_check<double>("above 0", "a number above 0", [](double x) { return x > 0; });
 }
 
-CLI::Validator share() { return number_within(0, 1); }
+OptionCheck share() { return number_within(0, 1); }
 
-CLI::Validator number_within(double low, double high) {
+OptionCheck number_within(double low, double high) {
     return number_check<double>(fmt::format("{} to {}", low, high),
                                 fmt::format("a number from {} to {}", low, high),
                                 [=](double x) { return low <= x && x <= high; });
 }
 
-CLI::Validator some_text() {
+OptionCheck some_text() {
     const auto check = [](std::string& text) -> std::string {
         return text.empty() ? "found \"\", expected a value" : "";
     };
-    return {check, "", ""};
+    return {check, ""};
 }
 
 }  // namespace pxm::host

@@ -5,28 +5,28 @@
 
 namespace pxm::host {
 
-void add_threads_option(CLI::App& command, int& threads) {
+void add_threads_option(CommandOptions& command, int& threads) {
     command
         .add_option("--threads", threads,
                     "Host threads; default: the cores that the process may use")
-        ->transform(whole_number(1, most_threads));
+        .transform(whole_number(1, most_threads));
 }
 
-void add_set_option(CLI::App& command, std::vector<std::string>& texts) {
+void add_set_option(CommandOptions& command, std::vector<std::string>& texts) {
     command
         .add_option("--set", texts,
                     "NAME=NUMBER of a `let`, or BLOCK.DIRECTIVE=VALUE, as camera.fov=30 or "
                     "object.elm.levels=5; any number of times")
-        ->allow_extra_args(false);
+        .one_value();
 }
 
-void add_allow_option(CLI::App& command, std::vector<std::string>& folders) {
+void add_allow_option(CommandOptions& command, std::vector<std::string>& folders) {
     command
         .add_option("--allow", folders,
                     "Scenes may include files and show pictures of this folder too; default: "
                     "their own folder only. May be given again")
-        ->allow_extra_args(false)  // what follows DIR is another argument
-        ->check(some_text());
+        .one_value()  // what follows DIR is another argument
+        .check(some_text());
 }
 
 }  // namespace pxm::host

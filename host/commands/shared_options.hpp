@@ -1,20 +1,21 @@
 // Options that several commands have.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+#include "host/commands/options.hpp"
 
 namespace pxm::host {
 
 /// `--threads N`; it stays 0 if it is not given (granted_threads.hpp).
-void add_threads_option(CLI::App& command, int& threads);
+void add_threads_option(CommandOptions& command, int& threads);
 
 /// `--set KEY=VALUE`, as often as one likes (scene/settings.hpp).
-void add_set_option(CLI::App& command, std::vector<std::string>& texts);
+void add_set_option(CommandOptions& command, std::vector<std::string>& texts);
 
 /// `--allow DIR`, as often as one likes: further folders where files that a scene names may lie
 /// (files/allowed_folders.hpp).
-void add_allow_option(CLI::App& command, std::vector<std::string>& folders);
+void add_allow_option(CommandOptions& command, std::vector<std::string>& folders);
 
 }  // namespace pxm::host

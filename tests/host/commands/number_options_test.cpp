@@ -29,11 +29,12 @@ bool takes(CLI::Option& option, const std::string& text) {
 /// with a number that it takes; if it can be, one that octal digits cannot spell.
 int for_every_number_option(
     const std::function<void(CLI::Option& option, const std::string& taken)>& law) {
-    CLI::App app;
-    const auto commands = host::add_commands(app);
+    host::CommandLine line("pxm", "", "");
+    const auto commands = host::add_commands(line);
     int found = 0;
-    for (const host::AddedCommand& command : commands) {
-        for (CLI::Option* option : command.options->get_options()) {
+    for (const host::AddedCommand& added : commands) {
+        CLI::App& command = added.command.app();
+        for (CLI::Option* option : command.get_options()) {
             if (option->get_expected_max() == 0 || takes(*option, "eight")) continue;
             const char* taken = nullptr;
             for (const char* number : {"8", "9", "0.8", "108", "1", "0"}) {
@@ -41,8 +42,7 @@ int for_every_number_option(
             }
             if (taken == nullptr) continue;
             ++found;
-            SCOPED_TRACE(
-                fmt::format("{} {} {}", command.options->get_name(), option->get_name(), taken));
+            SCOPED_TRACE(fmt::format("{} {} {}", command.get_name(), option->get_name(), taken));
             law(*option, taken);
         }
     }
@@ -80,7 +80,8 @@ TEST(NumberOptions, nothing_but_decimal_digits_is_a_number) {
 TEST(NumberOptions, a_whole_number_has_no_exponent_and_no_overflow) {
     CLI::App app;
     std::uint64_t value = 0;
-    CLI::Option* option = app.add_option("--n", value)->transform(host::any_whole_number());
+    host::CommandOptions(app).add_option("--n", value, "").transform(host::any_whole_number());
+    CLI::Option* option = app.get_option("--n");
     for (const char* text : {"1e3", "1.0", "-1", "18446744073709551616", "99999999999999999999",
                              "340282366920938463463374607431768211457"}) {
         EXPECT_FALSE(takes(*option, text)) << text;
