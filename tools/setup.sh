@@ -109,7 +109,9 @@ compile_preset() {
 
 # Compile through ccache where it is present (read by CMake when a build folder is first configured).
 use_ccache() {
-    if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+    command -v ccache >/dev/null || return 0
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}  # else it keeps nothing of a precompiled header's users
 }
 
 # Fetches what drives a browser in the tests of reports. Where that cannot be had they are skipped, and say so.

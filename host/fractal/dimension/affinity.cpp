@@ -71,7 +71,8 @@ Affinity estimate(const Rifs& rifs, int dimensions) {
     result.upper = upper_bound(words, table);
     if (result.word_length == 1) {
         result.value = result.upper;
-        result.why = "the upper bound from single maps: there are too many words of two maps";
+        result.why =
+            std::string("the upper bound from single maps: there are too many words of two maps");
         return result;
     }
     const WordTable shorter = word_table(rifs, result.word_length - 1);
