@@ -65,8 +65,8 @@ std::vector<Player> make_players(const Scene& scene, std::uint64_t seed, Diagnos
         for (const MapBlock& map : block->maps)
             colors.push_back(map.color.value_or(glm::dvec4{0.0}));
         const glm::dvec4 paint = object.color.value_or(glm::dvec4{0.0});
-        players.push_back({ChaosGame(proven->rifs, weights_of(*block, proven->rifs), colors,
-                                     seed + players.size()),
+        players.push_back({ChaosGame(proven->rifs, weights_of(*block, proven->rifs), colors, seed,
+                                     static_cast<std::uint32_t>(players.size())),
                            compose(object.commands),
                            base_color * (1 - paint.a) + glm::dvec3{paint} * paint.a});
     }

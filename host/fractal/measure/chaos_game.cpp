@@ -30,11 +30,13 @@ double reach_from(const glm::dvec3& center, const Points& points) {
 }  // namespace
 
 ChaosGame::ChaosGame(const Rifs& rifs, const std::vector<double>& weights,
-                     const std::vector<glm::dvec4>& colors, std::uint64_t seed)
+                     const std::vector<glm::dvec4>& colors, std::uint64_t seed,
+                     std::uint32_t number)
     : words_(rifs, weights, colors),
       inner_(inner_point_of_each(rifs)),
       start_(static_cast<std::uint32_t>(rifs.start)),
-      seed_(seed) {
+      seed_(seed),
+      number_(number) {
     const std::vector<Points> points = inner_points(rifs);
     for (std::size_t s = 0; s < points.size(); ++s) {
         reach_.push_back(reach_from(inner_[s], points[s]));
@@ -47,9 +49,11 @@ std::uint64_t ChaosGame::random_bits() {
         has_spare_ = false;
         return spare_bits_;
     }
+    // The seed is the key and the game's number is part of the counter: a key takes different
+    // counters to different bits, so no sum of seed and number makes one game repeat another.
     using Generator = r123::Philox4x32;
-    const Generator::ctr_type counter{
-        {static_cast<std::uint32_t>(counter_), static_cast<std::uint32_t>(counter_ >> 32), 0, 0}};
+    const Generator::ctr_type counter{{static_cast<std::uint32_t>(counter_),
+                                       static_cast<std::uint32_t>(counter_ >> 32), number_, 0}};
     const Generator::key_type key{
         {static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32)}};
     ++counter_;

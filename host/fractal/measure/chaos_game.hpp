@@ -24,10 +24,11 @@ struct CloudPoint {
 
 class ChaosGame {
   public:
-    /// `weights` and `colors` (r,g,b,a) per map. The same seed gives the same points, whatever
-    /// draws them. Precondition: the system contracts.
+    /// `weights` and `colors` (r,g,b,a) per map. The same seed and number give the same points,
+    /// whatever draws them; games that differ in either draw independently. Precondition: the
+    /// system contracts.
     ChaosGame(const Rifs& rifs, const std::vector<double>& weights,
-              const std::vector<glm::dvec4>& colors, std::uint64_t seed);
+              const std::vector<glm::dvec4>& colors, std::uint64_t seed, std::uint32_t number = 0);
 
     /// The next point.
     [[nodiscard]] CloudPoint next();
@@ -41,6 +42,7 @@ class ChaosGame {
     double negligible_ = 0;          // a size that makes no difference
     std::uint32_t start_;
     std::uint64_t seed_;
+    std::uint32_t number_;  // among the games of one seed
     std::uint64_t counter_ = 0;
     std::uint64_t spare_bits_ = 0;
     bool has_spare_ = false;

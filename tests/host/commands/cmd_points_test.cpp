@@ -6,6 +6,7 @@
 #include <cstring>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "tests/support/command.hpp"
 
@@ -69,6 +70,40 @@ TEST_F(Points, every_object_has_its_share) {
         left += is_left;
     }
     EXPECT_TRUE(left == 3 || left == 4) << left;
+}
+
+/// The x of `count` points of a cloud of floats.
+std::vector<float> places_of(const std::string& ply, std::size_t count) {
+    const std::string body = body_of(ply);
+    EXPECT_EQ(body.size(), 15 * count);
+    std::vector<float> places(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::memcpy(&places[i], body.data() + 15 * i, sizeof(float));
+    }
+    return places;
+}
+
+TEST_F(Points, no_object_of_any_seed_repeats_another) {
+    const std::string ifs = "ifs line { newmap scale: 1/2 newmap scale: 1/2 translate: 1/2,0,0 }\n";
+    folder.write("one.pxm", ifs + "object a { ifs: line }\n");
+    folder.write("three.pxm",
+                 ifs + "object a { ifs: line } object b { ifs: line } object c { ifs: line }\n");
+    constexpr std::size_t each = 200;
+    std::set<float> places;
+    std::size_t drawn = 0;
+    for (const char* seed : {"0", "1", "2", "3", "4294967296", "18446744073709551615"}) {
+        const std::string out = fmt::format("{}.ply", seed);
+        expect_done(folder, {"points", "three.pxm", "-n", "600", "-o", out, "--seed", seed});
+        const std::vector<float> three = places_of(folder.read(out), 3 * each);
+        places.insert(three.begin(), three.end());
+        drawn += three.size();
+        // What else the scene holds is nothing to its first object.
+        expect_done(folder, {"points", "one.pxm", "-n", "200", "-o", out, "--seed", seed});
+        EXPECT_EQ(places_of(folder.read(out), each),
+                  std::vector<float>(three.begin(), three.begin() + each));
+    }
+    // Floats near 1 have 2^24 steps: a pair or two may meet.
+    EXPECT_GE(places.size() + 8, drawn);
 }
 
 /// The gasket with corners at the origin, (1,0,0) and (0,1,0), moved along x.
