@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "host/error.hpp"
+#include "host/files/regular_file.hpp"
 
 namespace pxm::host {
 
@@ -76,20 +75,11 @@ OperationCost read_cost(const Reader& reader, const Json& operations, std::strin
     return {column("tight"), column("plain")};
 }
 
-std::string read_file(const std::string& path) {
-    const auto refuse = [&](const char* why) {
-        throw Error(ErrorKind::file, fmt::format("cannot read {}: {}", path, why));
-    };
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) refuse("it is a directory");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) refuse(std::filesystem::exists(path, error) ? "no permission" : "no such file");
-    std::string text(longest_file_bytes + 1, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (file.bad()) refuse("reading failed");
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    if (text.size() > longest_file_bytes) refuse("it is longer than 1 MB");
-    return text;
+std::string text_of(const std::string& path) {
+    const RegularFile file(path);
+    if (file.bytes() > longest_file_bytes)
+        throw Error(ErrorKind::file, fmt::format("{}: larger than 1 MB", path));
+    return file.read(0, static_cast<std::size_t>(file.bytes()));
 }
 
 }  // namespace
@@ -119,8 +109,6 @@ CostModel parse_cost_model(const std::string& text, const std::string& path) {
     return model;
 }
 
-CostModel read_cost_model(const std::string& path) {
-    return parse_cost_model(read_file(path), path);
-}
+CostModel read_cost_model(const std::string& path) { return parse_cost_model(text_of(path), path); }
 
 }  // namespace pxm::host

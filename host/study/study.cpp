@@ -62,6 +62,7 @@ std::optional<std::vector<Json>> measure_all(const StudyRequest& request, const 
     std::vector<std::optional<Json>> results;
     std::size_t missing = 0;
     for (const Unit& unit : plan.units) {
+        store.require_place(unit.name);
         results.push_back(request.fresh ? std::nullopt : store.find(unit.name, unit.settings));
         missing += !results.back();
     }

@@ -1,9 +1,9 @@
 #include "host/study/unit_store.hpp"
 
 #include <filesystem>
-#include <fstream>
 
 #include "host/error.hpp"
+#include "host/files/regular_file.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/text/json_text.hpp"
 #include "host/text/printable.hpp"
@@ -16,10 +16,21 @@ std::string UnitStore::path(const std::string& name) const {
     return folder_ + "/" + name + ".json";
 }
 
+void UnitStore::require_place(const std::string& name) const {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path(name), error);
+    if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+    throw Error(ExitCode::file, printable_path(path(name)) + ": not a regular file");
+}
+
 std::optional<Json> UnitStore::find(const std::string& name, const Json& settings) const {
-    std::ifstream file(path(name), std::ios::binary);
-    if (!file) return std::nullopt;
-    const Json stored = Json::parse(file, nullptr, false);
+    std::string text;
+    try {
+        text = read_file(path(name));
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+    const Json stored = Json::parse(text, nullptr, false);
     if (!stored.is_object() || !stored.contains("settings") || !stored.contains("result"))
         return std::nullopt;
     // As text: a number read back is the same text, whatever type it was made from.

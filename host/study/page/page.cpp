@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
-
+#include "host/error.hpp"
+#include "host/files/regular_file.hpp"
 #include "host/study/page/plot.hpp"
 
 namespace pxm::host {
@@ -82,9 +81,14 @@ std::string base64(const std::string& bytes) {
     return text;
 }
 
+/// Nothing of a picture that is no longer there.
 std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    try {
+        const RegularFile file(path);
+        return file.read(0, static_cast<std::size_t>(file.bytes()));
+    } catch (const Error&) {
+        return "";
+    }
 }
 
 std::string quoted(const std::string& field) {

@@ -84,7 +84,7 @@ TEST(CmdModels, an_unknown_model_is_refused) {
 
 TEST(CmdModels, a_cost_model_is_read_before_anything_is_rendered) {
     EXPECT_EQ(run("render scene.pxm --machine 916 --cost-model /nowhere.json"),
-              "pxm: cannot read /nowhere.json: no such file\nexit 4");
+              "pxm: /nowhere.json: no such file\nexit 4");
     EXPECT_EQ(run("render scene.pxm --cost-model /nowhere.json"),
               "pxm: --cost-model: cycles are counted on the machine only (--machine MODEL)\n"
               "exit 2");

@@ -3,11 +3,13 @@
 #include "host/output/cost_model_json.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/support/folder.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/render_text.hpp"
 
@@ -112,11 +114,19 @@ TEST(CostModel, what_is_no_json_is_refused_as_a_wrong_file) {
     }
 }
 
-TEST(CostModel, a_file_that_is_not_there_is_a_file_error) {
-    EXPECT_EQ(test::error_of([] { (void)read_cost_model("/nowhere/c.json"); }),
-              "4: cannot read /nowhere/c.json: no such file");
-    EXPECT_EQ(test::error_of([] { (void)read_cost_model("/"); }),
-              "4: cannot read /: it is a directory");
+TEST(CostModel, a_file_that_is_not_there_or_none_is_a_file_error_at_once) {
+    const test::Folder folder;
+    const std::string pipe = folder.path("pipe.json");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0666), 0);
+    const auto refused = [](const std::string& path) {
+        return test::error_of([&] { (void)read_cost_model(path); });
+    };
+    EXPECT_EQ(refused("/nowhere/c.json"), "4: /nowhere/c.json: no such file");
+    EXPECT_EQ(refused("/"), "4: /: is a directory");
+    EXPECT_EQ(refused(pipe), "4: " + pipe + ": not a regular file");
+    folder.write("long.json", std::string(1'000'001, ' '));
+    EXPECT_EQ(refused(folder.path("long.json")),
+              "4: " + folder.path("long.json") + ": larger than 1 MB");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Laws of `pxm study`: what it writes, and that it goes on where it stopped.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -84,6 +85,18 @@ TEST_F(Study, other_options_another_scene_or_a_broken_file_are_measured_again) {
     EXPECT_EQ(data("out")["scenes"][0]["numeric"], "float");
     EXPECT_THAT(balance("out", {"--numeric", "float", "--fresh"}),
                 testing::Not(HasSubstr("already")));
+}
+
+TEST_F(Study, a_result_that_is_a_pipe_is_refused_before_anything_is_measured) {
+    fs::create_directories(folder.path("out/units"));
+    ASSERT_EQ(mkfifo(folder.path("out/units/dust.json").c_str(), 0666), 0);
+    for (const char* more : {"--quiet", "--fresh"}) {
+        const Outcome outcome = run(folder, {"study", "balance", "tetra.pxm", "dust.pxm", "-o",
+                                             "out", "--size", "40x24", "--threads", "1", more});
+        EXPECT_EQ(outcome.exit_code, 4);
+        EXPECT_EQ(outcome.err, "pxm: out/units/dust.json: not a regular file\n");
+        EXPECT_FALSE(folder.has("out/units/tetra.json"));
+    }
 }
 
 TEST_F(Study, counted_figures_do_not_depend_on_threads) {
