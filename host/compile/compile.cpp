@@ -22,6 +22,7 @@
 #include "host/compile/volumes.hpp"
 #include "host/compiled/bounding_volume.hpp"
 #include "host/math/lipschitz.hpp"
+#include "host/node_program/crowded.hpp"
 #include "host/scene/default_objects.hpp"
 
 namespace pxm::host {
@@ -225,6 +226,7 @@ class Compiler {
             shape.maps[i].color = block->maps[i].color.value_or(glm::dvec4{0.0});
             shape.maps[i].lost = lost_axes(fractal.exact.maps[i]);
         }
+        shape.crowded = is_crowded(shape);
         return add_shape(std::move(shape));
     }
 

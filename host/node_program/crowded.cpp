@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "host/fractal/bounds/bounds.hpp"
 
@@ -147,16 +148,9 @@ bool is_crowded(const CompiledShape& shape) {
     return false;
 }
 
-std::vector<bool> crowded_shapes(const CompiledScene& scene) {
-    std::vector<bool> crowded;
-    for (const CompiledShape& shape : scene.shapes) crowded.push_back(is_crowded(shape));
-    return crowded;
-}
-
-bool is_crowded(const CompiledScene& scene) {
-    const std::vector<bool> crowded = crowded_shapes(scene);
+bool has_crowded_objects(const CompiledScene& scene) {
     return std::ranges::any_of(scene.objects, [&](const CompiledObject& object) {
-        return crowded[static_cast<std::size_t>(object.shape)];
+        return scene.shapes[static_cast<std::size_t>(object.shape)].crowded;
     });
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <span>
 #include <type_traits>
-#include <vector>
 
 #include "host/compiled/compiled_scene.hpp"
 #include "host/node_program/native_node.hpp"
@@ -14,12 +13,11 @@ namespace pxm::host {
 
 /// Whether words by the thousand lead to cells around some points of the attractor, and four or
 /// more of them to (nearly) the same cell. Looks at cells down to 1/256 of the outermost one.
-/// No, if maps were lifted.
+/// No, if maps were lifted. Takes some time: compile() asks once and keeps it with the shape.
 [[nodiscard]] bool is_crowded(const CompiledShape& shape);
-[[nodiscard]] std::vector<bool> crowded_shapes(const CompiledScene& scene);
 
-/// Whether an object of the scene has such a shape.
-[[nodiscard]] bool is_crowded(const CompiledScene& scene);
+/// Whether an object of the scene has such a shape, by what compile() found.
+[[nodiscard]] bool has_crowded_objects(const CompiledScene& scene);
 
 /// Entries of the heap where cells are crowded. A larger heap changes no picture
 /// (dsp_kernels/heap.hpp).
@@ -31,7 +29,7 @@ template <class Node>
 [[nodiscard]] Node make_native_node(const CompiledScene& scene,
                                     std::span<const std::uint32_t> block) {
     using Real = typename Node::Real;
-    const bool known = !std::is_same_v<Real, dsp32::Float> && is_crowded(scene);
+    const bool known = !std::is_same_v<Real, dsp32::Float> && has_crowded_objects(scene);
     return Node(block, scene.texture_words, known ? std::max(scene.heap, crowded_heap) : scene.heap,
                 sizeof(kernels::Cell<Real>), known ? OpenedCells::known : OpenedCells::forgotten);
 }

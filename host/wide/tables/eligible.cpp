@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "host/math/lipschitz.hpp"
-#include "host/node_program/crowded.hpp"
 #include "host/wide/tables/homothety_tables.hpp"
 #include "host/wide/tables/wide_scene.hpp"
 
@@ -38,11 +37,11 @@ bool squashes_much(const Affine& map) {
 /// share: gigabytes at 0.995.
 bool hardly_contracts(const CompiledMap& map) { return !(map.constant <= 0.985); }
 
-std::string why_not(const CompiledScene& scene, const CompiledObject& object, bool is_crowded) {
+std::string why_not(const CompiledScene& scene, const CompiledObject& object) {
     const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
     if (shape.lifted) return "has singular maps, which were lifted";
     // One search for all cells of a tile has no account of those that are alike.
-    if (is_crowded && !scene.area) return "has cells that overlap very much";
+    if (shape.crowded && !scene.area) return "has cells that overlap very much";
     if (!std::ranges::all_of(shape.sets, is_ball_or_box, &CompiledSet::volume)) {
         return "has bounding volumes that are neither balls nor boxes";
     }
@@ -100,11 +99,8 @@ std::string why_not_any(const CompiledScene& scene, const std::vector<std::strin
 }  // namespace
 
 std::vector<std::string> why_not_objects(const CompiledScene& scene) {
-    const std::vector<bool> crowded = crowded_shapes(scene);
     std::vector<std::string> reasons;
-    for (const CompiledObject& object : scene.objects) {
-        reasons.push_back(why_not(scene, object, crowded[static_cast<std::size_t>(object.shape)]));
-    }
+    for (const CompiledObject& object : scene.objects) reasons.push_back(why_not(scene, object));
     return reasons;
 }
 

@@ -19,8 +19,8 @@ namespace {
 using namespace host;
 
 TEST(Crowded, are_systems_whose_words_lead_to_the_same_cells) {
-    EXPECT_TRUE(is_crowded(compile_text(fat_square(4))));
-    EXPECT_TRUE(is_crowded(compile_text(square_of_coinciding_cells(4))));
+    EXPECT_TRUE(has_crowded_objects(compile_text(fat_square(4))));
+    EXPECT_TRUE(has_crowded_objects(compile_text(square_of_coinciding_cells(4))));
     for (const auto& [name, rifs] : systems::thesis_systems()) {
         const Bounds whole = bound(rifs, prove_contraction(rifs))[0];
         const std::vector<CompiledVolume> balls(
@@ -33,7 +33,7 @@ TEST(Crowded, are_systems_whose_words_lead_to_the_same_cells) {
 
 /// Loose volumes overlap, however far apart the cells' attractors are.
 TEST(Crowded, are_not_systems_with_loose_volumes) {
-    EXPECT_FALSE(is_crowded(
+    EXPECT_FALSE(has_crowded_objects(
         compile_text(ifs("octo") + "object a { ifs: octo sphere: (0,0,0) 40 levels: 3 }")));
 }
 
@@ -66,6 +66,15 @@ TEST(Crowded, cells_are_opened_in_dsp32_as_on_the_machine) {
     EXPECT_EQ(native.heap_capacity(), crowded_heap);
     const CompiledScene plain = compile_text(scene_of("octo", "volume: sphere", "size: 4,4"));
     EXPECT_FALSE(make_native_node<NativeNode<float>>(plain, block).knows_cells());
+}
+
+/// That is looked for once: there is a node for every thread.
+TEST(Crowded, nodes_go_by_what_compiling_found) {
+    CompiledScene scene = compile_text(fat_square(4));
+    const std::vector<std::uint32_t> block = make_scene_block<float>(scene);
+    ASSERT_TRUE(scene.shapes.at(0).crowded);
+    scene.shapes[0].crowded = false;
+    EXPECT_FALSE(make_native_node<NativeNode<float>>(scene, block).knows_cells());
 }
 
 TEST(KnownCells, a_cell_is_known_if_one_before_it_reached_as_far) {
