@@ -108,7 +108,9 @@ std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnost
     facts.bounds = bound(facts.rifs, facts.contraction);
     const std::vector<Bounds> bounds = bounds_of_part(facts.rifs, facts.bounds, part);
     const Rifs plain = as_similitudes(part, affine_hulls(part));
-    facts.open_set = decide_open_set(plain, bounds);
+    const bool as_given = plain.maps == part.maps;
+    facts.open_set =
+        decide_open_set(plain, bounds, as_given ? MapNumbers::given : MapNumbers::computed);
     facts.dimensions = dimensions(plain, facts.open_set.condition);
     facts.dimensions.box_counting = count_boxes(plain, bounds);
     facts.disconnected = decide_disconnected(plain, bounds, facts.dimensions.upper);

@@ -19,6 +19,7 @@ constexpr double same = 1e-9;  // of the size: maps that differ by less are one
 constexpr double largest_error = same / 4;
 constexpr double apart = 1e-9;  // of the size: a gap this wide is one
 constexpr double unit_error = 1e-15;
+constexpr double rounded = 16;  // times the error of a map: what differs by less is taken for equal
 constexpr double largest_map = 1e6;  // Lipschitz constant of a neighbour
 
 /// Piece `inside` of the set `to` as it lies against a piece of the set `from`.
@@ -38,7 +39,12 @@ using Key = std::array<std::int64_t, 14>;
 class Search {
   public:
     Search(const Rifs& rifs, const std::vector<Bounds>& bounds) : rifs_(rifs), bounds_(bounds) {
-        for (const Bounds& b : bounds) size_ = std::max(size_, b.ball.radius);
+        double far = 0;
+        for (const Bounds& b : bounds) {
+            size_ = std::max(size_, b.ball.radius);
+            far = std::max(far, glm::length(b.ball.center));
+        }
+        unit_ = unit_error * std::max(far / size_, 1.0);
     }
 
     NeighbourFinding run() {
@@ -48,10 +54,10 @@ class Search {
             complete = extend(static_cast<int>(i));
         }
         NeighbourFinding finding;
-        if (overlap_) finding = words_of(*overlap_);
+        if (nearest_) finding = words_of(*nearest_);
         finding.complete = complete;
         if (complete) add_touching(finding);
-        if (complete && !overlap_) {
+        if (complete && !nearest_) {
             finding.kind = finding.count > 0 ? Neighbours::finite : Neighbours::apart;
         }
         return finding;
@@ -79,7 +85,7 @@ class Search {
                     Neighbour next{rifs_.follow_of[a], rifs_.follow_of[b],
                                    then(rifs_.maps[b], inverse_[a])};
                     next.stretch = stretch_of(next.map, stretch_[b] * inverse_stretch_[a]);
-                    next.error = unit_error * inverse_stretch_[a];
+                    next.error = unit_ * inverse_stretch_[a];
                     next.letter = static_cast<int>(first_words_.size());
                     first_words_.push_back({a, b});
                     if (!add(next, -1)) return false;
@@ -101,24 +107,37 @@ class Search {
         return glm::distance(own.center, n.map.point(other.center)) > reach + apart * size_;
     }
 
-    [[nodiscard]] bool is_identity(const Neighbour& n) const {
-        if (n.from != n.to) return false;
-        double difference = glm::length(n.map.translation) / size_;
+    /// How far a point of the ball is moved at most, over the size: what a map does far from the
+    /// set, as to the origin, is nothing to it.
+    [[nodiscard]] double from_identity(const Neighbour& n) const {
+        const Ball& ball = bounds_[n.from].ball;
+        double squares = 0;
         for (int i = 0; i < 3; ++i) {
             glm::dvec3 row = n.map.linear[i];
             row[i] -= 1;
-            difference = std::max(difference, glm::length(row));
+            squares += glm::dot(row, row);
         }
-        return difference < same;
+        const double moved = glm::distance(n.map.point(ball.center), ball.center);
+        return (moved + std::sqrt(squares) * ball.radius) / size_;
+    }
+
+    void compare_with_identity(const Neighbour& n) {
+        if (n.from != n.to) return;
+        const double difference = from_identity(n);
+        if (!(difference < same) || (nearest_ && difference >= difference_)) return;
+        nearest_ = static_cast<int>(found_.size());
+        difference_ = difference;
     }
 
     [[nodiscard]] Key key_of(const Neighbour& n) const {
         constexpr double digits = 1 / same;
+        const glm::dvec3 place =
+            n.map.point(bounds_[n.to].ball.center) - bounds_[n.from].ball.center;
         Key key{n.from, n.to};
         std::size_t k = 2;
         for (int i = 0; i < 3; ++i) {
             for (int j = 0; j < 3; ++j) key[k++] = std::llround(n.map.linear[i][j] * digits);
-            key[k++] = std::llround(n.map.translation[i] / size_ * digits);
+            key[k++] = std::llround(place[i] / size_ * digits);
         }
         return key;
     }
@@ -137,7 +156,7 @@ class Search {
         }
         if (!fresh) return true;
         if (found_.size() >= most_neighbours) return false;
-        if (!overlap_ && is_identity(next)) overlap_ = static_cast<int>(found_.size());
+        compare_with_identity(next);
         found_.push_back(next);
         leads_to_.emplace_back();
         return true;
@@ -157,7 +176,7 @@ class Search {
             next.map = inner ? then(rifs_.maps[m], n.map) : then(n.map, inverse_[m]);
             next.stretch =
                 stretch_of(next.map, n.stretch * (inner ? stretch_[m] : inverse_stretch_[m]));
-            next.error = (n.error + unit_error) * (inner ? 1 : std::max(1.0, inverse_stretch_[m]));
+            next.error = (n.error + unit_) * (inner ? 1 : std::max(1.0, inverse_stretch_[m]));
             (inner ? next.to : next.from) = rifs_.follow_of[m];
             if (!add(next, index)) return false;
         }
@@ -192,7 +211,8 @@ class Search {
 
     [[nodiscard]] NeighbourFinding words_of(int index) const {
         NeighbourFinding finding;
-        finding.kind = Neighbours::overlap;
+        finding.difference = difference_;
+        if (difference_ <= rounded * found_[index].error) finding.kind = Neighbours::overlap;
         for (; found_[index].parent >= 0; index = found_[index].parent) {
             const Neighbour& n = found_[index];
             (n.inner ? finding.second : finding.first).push_back(n.letter);
@@ -208,6 +228,7 @@ class Search {
     const Rifs& rifs_;
     const std::vector<Bounds>& bounds_;
     double size_ = 0;
+    double unit_ = 0;  // the error of a map's place, over the size
     std::vector<Affine> inverse_;
     std::vector<double> stretch_;          // Lipschitz constants of the maps
     std::vector<double> inverse_stretch_;  // and of their inverses
@@ -217,7 +238,8 @@ class Search {
     std::vector<Neighbour> found_;
     std::vector<std::vector<int>> leads_to_;
     std::map<Key, int> index_;
-    std::optional<int> overlap_;
+    std::optional<int> nearest_;  // of those that are nearly the identity
+    double difference_ = 0;       // from it
 };
 
 }  // namespace

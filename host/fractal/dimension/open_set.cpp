@@ -14,6 +14,7 @@
 #include "host/fractal/bounds/bounds.hpp"
 #include "host/fractal/bounds/convex_hull.hpp"
 #include "host/fractal/bounds/inner_points.hpp"
+#include "host/fractal/dimension/exact_word.hpp"
 #include "host/fractal/dimension/neighbours.hpp"
 #include "host/fractal/dimension/similarity.hpp"
 #include "host/fractal/system/graph_facts.hpp"
@@ -28,7 +29,9 @@ constexpr double rounding = 1e-11;   // of the attractor's size: lengths that ar
 constexpr double thickness = 0.25;   // of the size: given to open sets around flat attractors
 constexpr long pair_limit = 50'000;  // pairs of maps that may come at one place
 constexpr long edge_limit = 5'000;
-constexpr long word_limit = 50'000;  // words of two maps compared with each other
+constexpr long word_limit = 50'000;          // words of two maps compared with each other
+constexpr double rounding_of_words = 1e-14;  // of places: what products of two maps may be off by
+constexpr double told_apart = 1e-16;         // of the size: no difference below was measured
 constexpr int hull_rounds = 12;
 constexpr int box_rounds = 300;
 
@@ -66,6 +69,31 @@ double size_of(const std::vector<Points>& inner) {
     return size;
 }
 
+std::string names_of(const Rifs& rifs, const std::vector<int>& word) {
+    std::string names;
+    for (const int m : word) names += (names.empty() ? "" : " ") + rifs.map_names[m];
+    return names;
+}
+
+std::string spoken_words(const Rifs& rifs, const std::vector<int>& a, const std::vector<int>& b) {
+    if (a.size() > 1 || b.size() > 1) {
+        return fmt::format("the words {} and {}", names_of(rifs, a), names_of(rifs, b));
+    }
+    return fmt::format("{} and {}", spoken_name(rifs, a[0]), spoken_name(rifs, b[0]));
+}
+
+/// That they are the same is said plainly of equal numbers alone. Else it was measured, and how
+/// near they are stands beside it.
+std::string coincidence(const Rifs& rifs, MapNumbers numbers, const std::vector<int>& a,
+                        const std::vector<int>& b, double difference) {
+    const std::string words = spoken_words(rifs, a, b);
+    if (numbers == MapNumbers::given && are_exactly_one_map(rifs, a, b)) {
+        return words + " are the same map";
+    }
+    return fmt::format("{} are the same map, up to {:.0e} of the attractor's size", words,
+                       std::max(difference, told_apart));
+}
+
 /// An affine map up to rounding, to look equal ones up.
 using MapKey = std::array<double, 13>;
 
@@ -81,34 +109,66 @@ MapKey key_of(const Affine& map, int follow_set, double size) {
     return key;
 }
 
-/// Two words of one or two maps that are the same map: their images of any set coincide.
-std::optional<std::string> coinciding_words(const Rifs& rifs, double size) {
-    const long edges = edges_of(rifs);
-    for (const FollowSet& set : rifs.follow_sets) {
-        std::map<MapKey, int> one;
-        std::map<MapKey, std::pair<int, int>> two;
-        for (const int m : set.maps) {
-            const auto [same, added] =
-                one.emplace(key_of(rifs.maps[m], rifs.follow_of[m], size), m);
-            if (!added) {
-                return fmt::format("{} and {} are the same", spoken_name(rifs, same->second),
-                                   spoken_name(rifs, m));
-            }
-            if (edges * edges > word_limit) continue;
-            for (const int n : rifs.follow_sets[rifs.follow_of[m]].maps) {
-                const Affine word = then(rifs.maps[n], rifs.maps[m]);
-                const auto [other, fresh] =
-                    two.emplace(key_of(word, rifs.follow_of[n], size), std::pair(m, n));
-                if (fresh || other->second.first == m) continue;
-                return fmt::format("the words {} {} and {} {} are the same map",
-                                   rifs.map_names[other->second.first],
-                                   rifs.map_names[other->second.second], rifs.map_names[m],
-                                   rifs.map_names[n]);
+/// How far from each other two maps take a point of the ball at most.
+double difference(const Affine& a, const Affine& b, const Ball& ball) {
+    const glm::dmat3 linear = a.linear - b.linear;
+    double squares = 0;
+    for (int i = 0; i < 3; ++i) squares += glm::dot(linear[i], linear[i]);
+    return glm::distance(a.point(ball.center), b.point(ball.center)) +
+           std::sqrt(squares) * ball.radius;
+}
+
+/// Words of one or two maps, to find two that are the same map up to rounding.
+class ShortWords {
+  public:
+    ShortWords(const Rifs& rifs, const std::vector<Bounds>& bounds, double size)
+        : rifs_(rifs), bounds_(bounds), size_(size) {}
+
+    struct Pair {
+        std::vector<int> first;
+        std::vector<int> second;
+        double difference = 0;  // over the size
+    };
+
+    std::optional<Pair> equal_ones() {
+        const long edges = edges_of(rifs_);
+        for (const FollowSet& set : rifs_.follow_sets) {
+            known_.clear();
+            for (const int m : set.maps) {
+                if (auto pair = add({m}, rifs_.maps[m])) return pair;
+                if (edges * edges > word_limit) continue;
+                for (const int n : rifs_.follow_sets[rifs_.follow_of[m]].maps) {
+                    const Affine map = then(rifs_.maps[n], rifs_.maps[m]);
+                    if (auto pair = add({m, n}, map)) return pair;
+                }
             }
         }
+        return std::nullopt;
     }
-    return std::nullopt;
-}
+
+  private:
+    struct Word {
+        std::vector<int> maps;
+        Affine map;
+    };
+
+    std::optional<Pair> add(const std::vector<int>& maps, const Affine& map) {
+        const int inside = rifs_.follow_of[maps.back()];
+        const auto [known, fresh] = known_.emplace(key_of(map, inside, size_), Word{maps, map});
+        const Word& other = known->second;
+        if (fresh || other.maps.front() == maps.front()) return std::nullopt;
+        const Ball& ball = bounds_[static_cast<std::size_t>(inside)].ball;
+        const double apart = difference(map, other.map, ball) / size_;
+        const double places = glm::length(map.point(ball.center)) / size_;
+        if (!(apart <= rounding_of_words * std::max(places, 1.0))) return std::nullopt;
+        return Pair{other.maps, maps, apart};
+    }
+
+    const Rifs& rifs_;
+    const std::vector<Bounds>& bounds_;
+    double size_;
+    std::map<MapKey, Word> known_;
+};
 
 /// Disjoint images inside a bounded open set cannot have more volume than it.
 bool volume_grows(const Rifs& rifs) {
@@ -223,27 +283,18 @@ Hulls attractor_boxes(const Rifs& rifs, const std::vector<Points>& inner, double
     return hulls;
 }
 
-std::string names_of(const Rifs& rifs, const std::vector<int>& word) {
-    std::string names;
-    for (const int m : word) names += (names.empty() ? "" : " ") + rifs.map_names[m];
-    return names;
-}
-
-std::string coincidence(const Rifs& rifs, const NeighbourFinding& found) {
-    if (found.first.size() == 1 && found.second.size() == 1) {
-        return fmt::format("{} and {} are the same", spoken_name(rifs, found.first[0]),
-                           spoken_name(rifs, found.second[0]));
-    }
-    return fmt::format("the words {} and {} are the same map", names_of(rifs, found.first),
-                       names_of(rifs, found.second));
-}
-
 /// Why there can be no open sets, if that is known.
-std::optional<std::string> obstacle(const Rifs& rifs, const NeighbourFinding& neighbours,
+std::optional<std::string> obstacle(const Rifs& rifs, const std::vector<Bounds>& bounds,
+                                    MapNumbers numbers, const NeighbourFinding& neighbours,
                                     double size) {
-    if (neighbours.kind == Neighbours::overlap) return coincidence(rifs, neighbours);
+    if (neighbours.kind == Neighbours::overlap) {
+        return coincidence(rifs, numbers, neighbours.first, neighbours.second,
+                           neighbours.difference);
+    }
     if (neighbours.kind == Neighbours::unknown) {
-        if (auto words = coinciding_words(rifs, size)) return words;
+        if (const auto words = ShortWords(rifs, bounds, size).equal_ones()) {
+            return coincidence(rifs, numbers, words->first, words->second, words->difference);
+        }
     }
     if (volume_grows(rifs)) {
         return "the maps' determinants add up to more than 1: bounded images would overlap";
@@ -280,17 +331,25 @@ std::optional<std::string> open_set(const Rifs& rifs, const NeighbourFinding& ne
 }
 
 /// Precondition: every set of the system recurs.
-OpenSetFinding decide(const Rifs& rifs, const std::vector<Bounds>& bounds) {
+OpenSetFinding decide(const Rifs& rifs, const std::vector<Bounds>& bounds, MapNumbers numbers) {
     const double size = size_of(inner_points(rifs));
     if (!(size > 0)) return {OpenSetCondition::unknown, "the attractor is one point"};
     const NeighbourFinding neighbours = find_neighbours(rifs, bounds);
-    if (auto why = obstacle(rifs, neighbours, size)) return {OpenSetCondition::fails, *why};
+    if (auto why = obstacle(rifs, bounds, numbers, neighbours, size))
+        return {OpenSetCondition::fails, *why};
     if (pairs_of(rifs) > pair_limit || edges_of(rifs) > edge_limit) {
         return {OpenSetCondition::unknown,
                 fmt::format("not tried: over the limits of {} pairs of maps and {} edges",
                             pair_limit, edge_limit)};
     }
     if (auto why = open_set(rifs, neighbours, size)) return {OpenSetCondition::holds, *why};
+    if (neighbours.kind == Neighbours::unknown && !neighbours.first.empty()) {
+        return {OpenSetCondition::unknown,
+                fmt::format("{} are the same map up to {:.0e} of the attractor's size: neither "
+                            "equal nor far enough from it",
+                            spoken_words(rifs, neighbours.first, neighbours.second),
+                            neighbours.difference)};
+    }
     return {OpenSetCondition::unknown,
             "neither the inside of the box nor that of the convex hull is such a set, and there "
             "are too many ways for pieces to touch"};
@@ -298,7 +357,8 @@ OpenSetFinding decide(const Rifs& rifs, const std::vector<Bounds>& bounds) {
 
 }  // namespace
 
-OpenSetFinding decide_open_set(const Rifs& rifs, const std::vector<Bounds>& bounds) {
+OpenSetFinding decide_open_set(const Rifs& rifs, const std::vector<Bounds>& bounds,
+                               MapNumbers numbers) {
     if (rifs.maps.size() == 1) return {OpenSetCondition::holds, "there is only one map"};
     if (!branches(rifs)) {
         return {OpenSetCondition::holds, "no map has two that may follow for ever"};
@@ -306,7 +366,7 @@ OpenSetFinding decide_open_set(const Rifs& rifs, const std::vector<Bounds>& boun
     const RecurrentPart part = recurrent_part(rifs);
     std::vector<Bounds> of_part;
     for (const int s : part.sets) of_part.push_back(bounds[s]);
-    return decide(part.rifs, of_part);
+    return decide(part.rifs, of_part, numbers);
 }
 
 }  // namespace pxm::host

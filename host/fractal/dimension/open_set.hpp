@@ -19,8 +19,13 @@ struct OpenSetFinding {
     std::string why;  // the open set, or the obstacle; up to rounding
 };
 
-/// `bounds` as from bound(). Precondition: the system contracts, and every follow set is reached
-/// from the start.
-[[nodiscard]] OpenSetFinding decide_open_set(const Rifs& rifs, const std::vector<Bounds>& bounds);
+/// Whether the numbers of maps are a scene's own, or were computed from these.
+enum class MapNumbers { given, computed };
+
+/// That words are the same map is called exact for given numbers alone. `bounds` as from bound();
+/// they may be those of the system that was given. Precondition: the system contracts, and every
+/// follow set is reached from the start.
+[[nodiscard]] OpenSetFinding decide_open_set(const Rifs& rifs, const std::vector<Bounds>& bounds,
+                                             MapNumbers numbers = MapNumbers::given);
 
 }  // namespace pxm::host

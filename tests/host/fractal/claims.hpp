@@ -36,7 +36,9 @@ inline Claims claims_of(const Rifs& whole) {
     const std::vector<Bounds> bounds = bound(part, prove_contraction(part));
     const Rifs plain = as_similitudes(part, affine_hulls(part));
     Claims claims;
-    claims.open_set = decide_open_set(plain, bounds);
+    const bool as_given = plain.maps == part.maps;
+    claims.open_set =
+        decide_open_set(plain, bounds, as_given ? MapNumbers::given : MapNumbers::computed);
     claims.dimensions = dimensions(plain, claims.open_set.condition);
     claims.disconnected = decide_disconnected(plain, bounds, claims.dimensions.upper);
     add_topology(claims.dimensions, claims.disconnected.totally_disconnected);

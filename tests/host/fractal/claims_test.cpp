@@ -1,12 +1,14 @@
 // What is printed as exact, at most, yes or no is so.
 #include "tests/host/fractal/claims.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <set>
 
+#include "host/fractal/dimension/exact_word.hpp"
 #include "host/fractal/dimension/neighbours.hpp"
 #include "host/fractal/dimension/similarity.hpp"
 #include "host/fractal/system/elimination.hpp"
@@ -183,9 +185,70 @@ TEST(Claims, overlaps_of_three_letters_are_found_and_an_interval_is_known) {
     const Claims claims =
         claims_of("let r = 1/phi ifs g { newmap scale: r newmap scale: r translate: 1-r,0,0 }");
     EXPECT_EQ(claims.open_set.condition, OpenSetCondition::fails);
-    EXPECT_EQ(claims.open_set.why, "the words 1 2 2 and 2 1 1 are the same map");
+    // No double is 1/phi.
+    EXPECT_THAT(claims.open_set.why,
+                testing::MatchesRegex("the words 1 2 2 and 2 1 1 are the same map, up to "
+                                      "[1-9]e-1[56] of the attractor's size"));
     EXPECT_EQ(claims.disconnected.totally_disconnected, false);
     EXPECT_EQ(claims.dimensions.exact, 1);
+}
+
+TEST(Claims, equal_numbers_alone_are_called_the_same_map) {
+    EXPECT_EQ(claims_of("ifs a { newmap scale: 0.3 newmap scale: 0.3 translate: 0.7,0,0"
+                        " newmap scale: 0.3 }")
+                  .open_set.why,
+              "map 1 and map 3 are the same map");
+    EXPECT_EQ(claims_of("ifs a { newmap scale: 1/2 newmap scale: 1/2 translate: 1/4,0,0"
+                        " newmap scale: 1/2 translate: 1/2,0,0 }")
+                  .open_set.why,
+              "the words 1 3 and 2 1 are the same map");
+    // They are the same in the plane that the attractor lies in, and nowhere else.
+    EXPECT_THAT(claims_of("ifs a { newmap scale: 1/2,1/2,0.9 newmap scale: 1/2,1/2,0"
+                          " newmap scale: 1/2 translate: 1/2,0,0"
+                          " newmap scale: 1/2 translate: 0,1/2,0 }")
+                    .open_set.why,
+                testing::StartsWith("map 1 and map 2 are the same map, up to 1e-16 of "));
+}
+
+TEST(Claims, maps_that_differ_by_more_than_rounding_are_not_the_same) {
+    for (const double apart : {1e-10, 1e-11, 1e-12, 1e-13}) {
+        const Claims claims = claims_of(
+            complete(systems::homotheties(0.4, {{0, 0, 0}, {apart, 0, 0}, {0.6, 0.1, 0}})));
+        EXPECT_EQ(claims.open_set.condition, OpenSetCondition::unknown) << apart;
+    }
+}
+
+/// Map 1 and 2 have the same translation, and linear parts whose difference is nothing beside 1; to
+/// an attractor that is far away it means a place of its own.
+TEST(Claims, far_from_the_origin_linear_parts_are_places) {
+    constexpr double far = 1e6;
+    const auto toward = [](double ratio, const glm::dvec3& center) {
+        return Affine{glm::dmat3{ratio}, center / 2.0};
+    };
+    const glm::dvec3 center{far, far, far};
+    for (const double more : {0.0, 4e-11, 4e-10}) {
+        const Claims claims = claims_of(complete({toward(0.5, center), toward(0.5 + more, center),
+                                                  toward(0.5, center + glm::dvec3{1, 0, 0}),
+                                                  toward(0.5, center + glm::dvec3{0, 1, 0})}));
+        EXPECT_EQ(claims.open_set.condition,
+                  more == 0 ? OpenSetCondition::fails : OpenSetCondition::unknown)
+            << more << claims.open_set.why;
+    }
+}
+
+TEST(ExactWord, is_a_word_whose_numbers_double_holds) {
+    Rifs rifs = complete(systems::homotheties(0.5, {{0, 0, 0}, {0.25, 0, 0}, {0.5, 0, 0}}));
+    EXPECT_EQ(exact_word(rifs, {1, 0}), then(rifs.maps[0], rifs.maps[1]));
+    EXPECT_TRUE(are_exactly_one_map(rifs, {0, 2}, {1, 0}));
+    EXPECT_FALSE(are_exactly_one_map(rifs, {0, 2}, {1, 2}));
+    rifs.follow_of[0] = 1;
+    EXPECT_FALSE(are_exactly_one_map(rifs, {0, 2}, {1, 0}));
+    for (const double ratio : {0.1, 1.0 / 3, 0x1.0000001p-1, 0x1p-500}) {
+        const Rifs rounded = complete(systems::homotheties(ratio, {{0, 0, 0}, {0, 1, 0}}));
+        EXPECT_EQ(exact_word(rounded, {0}), rounded.maps[0]);
+        EXPECT_FALSE(exact_word(rounded, {0, 0}) && ratio > 0x1p-400) << ratio;
+        EXPECT_FALSE(exact_word(rounded, {0, 1, 1, 1}).has_value()) << ratio;
+    }
 }
 
 TEST(Claims, curves_that_touch_themselves_meet_the_open_set_condition) {
