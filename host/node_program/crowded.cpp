@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <vector>
 
 #include "host/fractal/bounds/bounds.hpp"
@@ -36,9 +37,8 @@ double mean_constant(const glm::dmat3& linear) {
 /// inside a map is taken to be a ball around some points of it.
 class CrowdCount {
   public:
-    explicit CrowdCount(const CompiledShape& shape) : shape_(shape) {
+    explicit CrowdCount(const CompiledShape& shape) : shape_(shape), balls_(shape.sets.size()) {
         for (const CompiledMap& map : shape.maps) back_.push_back(inverse(map.map));
-        for (std::size_t set = 0; set < shape.sets.size(); ++set) balls_.push_back(ball_of(set));
     }
 
     /// A point of what may follow in a set, at the end of a long word.
@@ -56,7 +56,12 @@ class CrowdCount {
         }
         return place.point(shape_.sets[static_cast<std::size_t>(set)].volume.center);
     }
-    [[nodiscard]] const Ball& ball(int set) const { return balls_[static_cast<std::size_t>(set)]; }
+    /// Made when it is asked for: of ten thousand sets few are met.
+    [[nodiscard]] const Ball& ball(int set) {
+        std::optional<Ball>& known = balls_[static_cast<std::size_t>(set)];
+        if (!known) known = ball_of(set);
+        return *known;
+    }
 
     /// Cells around the point that are larger than `smallest`, up to most_cells. Those alike are
     /// counted once if `known` is given.
@@ -90,13 +95,13 @@ class CrowdCount {
     [[nodiscard]] const CompiledMap& map_of(int symbol) const {
         return shape_.maps[static_cast<std::size_t>(symbol)];
     }
-    [[nodiscard]] Ball ball_of(std::size_t set) const {
+    [[nodiscard]] Ball ball_of(int set) const {
         constexpr int number = 24;
         constexpr double room = 1.25;  // for what lies between the points
         std::vector<glm::dvec3> inner;
         Ball ball;
         for (int i = 0; i < number; ++i) {
-            inner.push_back(point_of(static_cast<int>(set), i));
+            inner.push_back(point_of(set, i));
             ball.center += inner.back() / static_cast<double>(number);
         }
         for (const glm::dvec3& point : inner) {
@@ -104,7 +109,7 @@ class CrowdCount {
         }
         return ball;
     }
-    [[nodiscard]] CellSketch sketch(const CellAround& cell, double smallest) const {
+    [[nodiscard]] CellSketch sketch(const CellAround& cell, double smallest) {
         const Ball& inside = ball(cell.set);
         const double per_length = steps_a_cell / smallest;
         CellSketch sketch;
@@ -121,7 +126,7 @@ class CrowdCount {
 
     const CompiledShape& shape_;
     std::vector<Affine> back_;
-    std::vector<Ball> balls_;
+    std::vector<std::optional<Ball>> balls_;
 };
 
 }  // namespace

@@ -119,42 +119,46 @@ std::array<glm::dvec3, 3> all_axes(const AffineHull& hull) {
     return whole.axes;
 }
 
-/// A hull grows three times at most; then those of the sets that lead to it may grow.
-void grow(const Rifs& rifs, std::vector<AffineHull>& hulls) {
-    std::vector<std::vector<int>> leads_to(hulls.size());  // the sets with a map that leads here
-    std::vector<int> waiting;
+/// A hull grows three times at most; then the images of it are looked at again, those alone. So an
+/// edge of the graph is looked at four times at most. How often one was.
+std::size_t grow(const Rifs& rifs, std::vector<AffineHull>& hulls) {
+    std::vector<std::vector<int>> sets_with(rifs.maps.size());  // per map, where it may stand
+    std::vector<std::vector<int>> maps_around(hulls.size());    // per set, the maps it stands in
+    std::vector<int> waiting;                                   // sets that have grown
     for (int s = static_cast<int>(hulls.size()); s-- > 0;) {
         waiting.push_back(s);
-        for (const int m : rifs.follow_sets[s].maps) {
-            std::vector<int>& sets = leads_to[rifs.follow_of[m]];
-            if (sets.empty() || sets.back() != s) sets.push_back(s);
-        }
+        for (const int m : rifs.follow_sets[s].maps) sets_with[m].push_back(s);
+    }
+    for (std::size_t m = 0; m < rifs.maps.size(); ++m) {
+        maps_around[rifs.follow_of[m]].push_back(static_cast<int>(m));
     }
     std::vector<char> waits(hulls.size(), 1);
+    std::size_t looked_at = 0;
     while (!waiting.empty()) {
-        const int s = waiting.back();
+        const int inside = waiting.back();
         waiting.pop_back();
-        waits[s] = 0;
-        bool grown = false;
-        for (const int m : rifs.follow_sets[s].maps) {
-            if (hulls[s].dimension == 3) break;
-            grown = add_image(hulls[s], rifs.maps[m], hulls[rifs.follow_of[m]]) || grown;
-        }
-        if (!grown) continue;
-        for (const int before : leads_to[s]) {
-            if (hulls[before].dimension < 3 && !std::exchange(waits[before], char{1})) {
-                waiting.push_back(before);
+        waits[inside] = 0;
+        for (const int m : maps_around[inside]) {
+            for (const int s : sets_with[m]) {
+                ++looked_at;
+                if (hulls[s].dimension == 3) continue;
+                if (!add_image(hulls[s], rifs.maps[m], hulls[inside])) continue;
+                if (!std::exchange(waits[s], char{1})) waiting.push_back(s);
             }
         }
     }
+    return looked_at;
 }
 
 }  // namespace
 
-std::vector<AffineHull> affine_hulls(const Rifs& rifs) {
-    std::vector<AffineHull> hulls;
+std::vector<AffineHull> affine_hulls(const Rifs& rifs) { return search_affine_hulls(rifs).hulls; }
+
+HullSearch search_affine_hulls(const Rifs& rifs) {
+    HullSearch result;
+    std::vector<AffineHull>& hulls = result.hulls;
     for (const glm::dvec3& point : inner_point_of_each(rifs)) hulls.push_back({point, 0, {}});
-    grow(rifs, hulls);
+    result.edges_looked_at = grow(rifs, hulls);
     std::vector<std::size_t> straight;  // one set for each span
     for (std::size_t s = 0; s < hulls.size(); ++s) {
         const auto same = std::ranges::find_if(
@@ -166,7 +170,7 @@ std::vector<AffineHull> affine_hulls(const Rifs& rifs) {
             straight.push_back(s);
         }
     }
-    return hulls;
+    return result;
 }
 
 double stretch_within(const AffineHull& hull, const Affine& map) {

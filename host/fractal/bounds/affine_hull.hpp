@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -27,6 +28,13 @@ struct AffineHull {
 /// Of each E_s, up to rounding: what sticks out by less than 1e-11 of the maps and of the places
 /// does not count. Precondition: the system contracts.
 [[nodiscard]] std::vector<AffineHull> affine_hulls(const Rifs& rifs);
+
+/// The same, and how often an edge of the graph (a map in a follow set) was looked at for it.
+struct HullSearch {
+    std::vector<AffineHull> hulls;
+    std::size_t edges_looked_at = 0;
+};
+[[nodiscard]] HullSearch search_affine_hulls(const Rifs& rifs);
 
 /// By how much a map stretches lengths, areas or volumes (as many as the hull has dimensions) of
 /// what lies in `hull`; 1 for a point.
