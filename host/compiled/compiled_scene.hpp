@@ -56,7 +56,7 @@ struct CompiledShape {
     std::vector<CompiledSet> sets;
     int start = 0;  // follow set of the outermost maps
     bool lifted = false;
-    bool crowded = false;  // very many words lead to the same cells (host/render/crowded)
+    bool crowded = false;  // very many words lead to the same cells (host/node_program/crowded)
     kernels::Lipschitz lipschitz = kernels::Lipschitz::product;
 };
 

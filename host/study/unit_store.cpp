@@ -20,7 +20,7 @@ void UnitStore::require_place(const std::string& name) const {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path(name), error);
     if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
-    throw Error(ExitCode::file, printable_path(path(name)) + ": not a regular file");
+    throw Error(ErrorKind::file, printable_path(path(name)) + ": not a regular file");
 }
 
 std::optional<Json> UnitStore::find(const std::string& name, const Json& settings) const {

@@ -12,7 +12,7 @@ class UnitStore {
     /// The folder is made when the first result comes.
     explicit UnitStore(std::string folder) : folder_(std::move(folder)) {}
 
-    /// Throws Error(ExitCode::file) if what has the name of a result is no file, as a pipe that
+    /// Throws Error(ErrorKind::file) if what has the name of a result is no file, as a pipe that
     /// writing would wait for.
     void require_place(const std::string& name) const;
     /// The result stored under that name, if it was measured with exactly these settings. A file

@@ -83,7 +83,7 @@ RenderResult squash_in(const std::string& scene, Numeric numeric) {
 
 TEST(Alarms, results_beyond_the_range_are_told_and_double_has_more_of_it) {
     const std::string squashed =
-        "ifs a { newmap rotate: x,20 scale: 0.5,1e-30,0.5 rotate: z,30 "
+        "ifs a { newmap rotate: x,20 scale: 1e-25 rotate: z,30 "
         "newmap scale: 0.5 translate: 1,0,0 } ";
     for (const Numeric numeric : {Numeric::dsp32, Numeric::single}) {
         EXPECT_GT(count_of(squash_in(squashed, numeric), "overflow"), 0U);

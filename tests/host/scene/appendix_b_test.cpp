@@ -207,7 +207,9 @@ TEST(AppendixB, newlines_mean_nothing) {
 }
 
 TEST(AppendixB, all_listings_together_are_one_scene) {
-    const Scene scene = accepted(std::string(grass) + elm + pine + tetra);
+    std::string all;
+    for (const char* listing : {grass, elm, pine, tetra}) all += listing;
+    const Scene scene = accepted(all);
     EXPECT_EQ(scene.ifs.size(), 4U);
     EXPECT_EQ(scene.objects.size(), 2U);
 }
