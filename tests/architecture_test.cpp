@@ -45,8 +45,8 @@ const Rule library_rules[] = {
     {R"(#include\s*<Eigen/)", "host/(math|fractal|import)/.*", "Eigen"},
     {R"(#include\s*<omp\.h>)", "host/engine/(tiles|threads)\\..pp", "OpenMP"},
     {R"(#include\s*<hwy/)", "host/wide/.*", "Highway"},
-    {R"(#include\s*<boost/multiprecision/)", "host/(math/precise|import/lsystem/long_number)\\.hpp",
-     "Boost.Multiprecision"},
+    {R"(#include\s*<boost/multiprecision/)",
+     "host/(math/precise\\.cpp|import/lsystem/long_number\\.hpp)", "Boost.Multiprecision"},
 };
 
 // The floors of a part of the house, from the ground up. A room may know what stands before it;
@@ -276,7 +276,7 @@ TEST(Architecture, an_outside_library_is_known_to_one_place) {
         {"nlohmann/json.hpp", "host/output/statistics_json.cpp"},
         {"Eigen/SVD", "host/math/lipschitz.cpp"},
         {"omp.h", "host/engine/tiles.hpp"},
-        {"boost/multiprecision/cpp_bin_float.hpp", "host/math/precise.hpp"},
+        {"boost/multiprecision/cpp_bin_float.hpp", "host/math/precise.cpp"},
         {"hwy/highway.h", "host/wide/search/packet_search.cpp"}};
     for (const auto& [header, home] : homes) {
         const std::string include = "#include <" + header + ">\n";

@@ -92,7 +92,7 @@ std::vector<PreciseAffine> precise_maps(const Root& root) {
     for (const Affine& map : root.rifs->maps) {
         PreciseAffine exact = precise(map);
         exact.translation =
-            scaled(subtract(image(exact, center), center), 1 / Precise(root.frame.scale));
+            scaled(subtract(image(exact, center), center), Precise(1) / Precise(root.frame.scale));
         maps.push_back(exact);
     }
     return maps;

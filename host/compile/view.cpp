@@ -58,7 +58,7 @@ View make_view(const CameraBlock& camera, const PixelSize& size, const Ball& bal
         view.exact_eye = precise(view.eye);
     } else {
         view.eye = look - ahead / zoom;
-        view.exact_eye = subtract(exact_look, scaled(exact_ahead, 1 / Precise(zoom)));
+        view.exact_eye = subtract(exact_look, scaled(exact_ahead, Precise(1) / Precise(zoom)));
     }
     view.look_distance = glm::length(ahead) / zoom;
     return view;

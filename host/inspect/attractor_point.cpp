@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ios>
 
 #include "host/compile/build_rifs.hpp"
 #include "host/error.hpp"
@@ -53,23 +52,6 @@ PreciseAffine composed(const Rifs& rifs, const std::vector<std::string>& word) {
     return all;
 }
 
-/// Rounded to the last decimal.
-std::string text_of(const Precise& x) {
-    Precise rest = abs(x) + pow(Precise(10), -decimals) / 2;
-    const Precise whole = floor(rest);
-    // As text, up to the point: no whole number of the language is wide enough for all of them.
-    const std::string digits = whole.str(0, std::ios::fixed);
-    std::string text = fmt::format("{}{}.", x < 0 ? "-" : "", digits.substr(0, digits.find('.')));
-    rest -= whole;
-    for (int i = 0; i < decimals; ++i) {
-        rest *= 10;
-        const int digit = rest.convert_to<int>();
-        text.push_back(static_cast<char>('0' + digit));
-        rest -= digit;
-    }
-    return text;
-}
-
 }  // namespace
 
 std::string attractor_point(const Scene& scene, const std::vector<std::string>& word) {
@@ -86,7 +68,8 @@ std::string attractor_point(const Scene& scene, const std::vector<std::string>& 
         refuse("the maps together do not contract: repeat them, or choose others");
     }
     const PreciseVec3 at = image(precise(compose(object->commands)), fixed_point(map));
-    return fmt::format("{},{},{}", text_of(at[0]), text_of(at[1]), text_of(at[2]));
+    return fmt::format("{},{},{}", text_of(at[0], decimals), text_of(at[1], decimals),
+                       text_of(at[2], decimals));
 }
 
 }  // namespace pxm::host

@@ -4,17 +4,46 @@
 #pragma once
 
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cstddef>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <string>
 
 #include "host/math/affine.hpp"
 #include "host/math/decimal.hpp"
 
 namespace pxm::host {
 
-using Precise = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<256, boost::multiprecision::digit_base_2>,
-    boost::multiprecision::et_off>;
+/// One of them. Its arithmetic is Boost's, whose headers cost more to compile than all that
+/// computes with them: only the .cpp knows them.
+class Precise {
+  public:
+    struct Number;  // Boost's
+
+    Precise() : Precise(0.0) {}
+    explicit Precise(double value);
+    /// Precondition: a decimal number.
+    explicit Precise(const std::string& text);
+    explicit Precise(const Number& number);
+    Precise(const Precise& other);
+    Precise& operator=(const Precise& other);
+    ~Precise();
+
+    [[nodiscard]] const Number& number() const;
+
+  private:
+    static constexpr std::size_t size_bytes = 64;
+    alignas(16) std::array<std::byte, size_bytes> number_;
+};
+
+[[nodiscard]] Precise operator+(const Precise& a, const Precise& b);
+[[nodiscard]] Precise operator-(const Precise& a, const Precise& b);
+[[nodiscard]] Precise operator*(const Precise& a, const Precise& b);
+[[nodiscard]] Precise operator/(const Precise& a, const Precise& b);
+
+/// As decimal text with so many digits after the point, the last one rounded.
+[[nodiscard]] std::string text_of(const Precise& x, int decimals);
+
 using PreciseVec3 = std::array<Precise, 3>;
 
 /// x' = x T + a, as Affine.

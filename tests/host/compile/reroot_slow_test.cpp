@@ -22,8 +22,7 @@ namespace {
 using namespace host;
 
 std::string digits(const PreciseVec3& v) {
-    return v[0].str(70, std::ios::fixed) + "," + v[1].str(70, std::ios::fixed) + "," +
-           v[2].str(70, std::ios::fixed);
+    return text_of(v[0], 70) + "," + text_of(v[1], 70) + "," + text_of(v[2], 70);
 }
 
 /// The point of the first ifs whose address repeats the word, numbers of maps from 0.
