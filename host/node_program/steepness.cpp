@@ -32,8 +32,17 @@ double digits_of_size(const CompiledScene& scene, const CompiledObject& object) 
     return std::log2(object.diameter / std::max(scene.detail * pixel, smallest));
 }
 
+/// Whether a map squashes so much in one direction that its inverse has to be taken apart.
+bool squashes(const CompiledMap& map) {
+    const std::size_t axes = 3 - std::min<std::size_t>(map.lost.size(), 2);
+    const auto values = singular_values(map.map.linear).values;
+    return values[0] > least_steep * values[axes - 1];
+}
+
 bool is_steep(const CompiledScene& scene, const CompiledObject& object) {
     const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
+    // Directions are long in small cells too, at any zoom: there all lengths are.
+    if (std::ranges::none_of(shape.maps, squashes)) return false;
     double most = 0;   // digits that a map adds
     double share = 0;  // the same for each digit that the map makes cells smaller
     for (const CompiledMap& map : shape.maps) {

@@ -33,7 +33,7 @@ class Tools : public testing::Test {
             (fs::temp_directory_path() / ("pxm_tools_" + std::string(6, 'X'))).string();
         root_ = mkdtemp(pattern.data());
         fs::copy(fs::path(source_dir) / "tools", root_ / "tools");
-        for (const char* folder : {"cmake", "pxm", "dsp_kernels", "host"})
+        for (const char* folder : {"cmake", "pxm", "dsp_kernels", "host", "host/commands"})
             fs::create_directory(root_ / folder);
         for (const char* file : {"CMakeLists.txt", "CMakePresets.json", "host/commands/main.cpp"})
             write(root_ / file, "");
@@ -135,7 +135,7 @@ set(top ${CMAKE_SOURCE_DIR})
 add_custom_command(OUTPUT one COMMAND echo one >> ${top}/done COMMAND touch one)
 add_custom_command(OUTPUT two DEPENDS one COMMAND test -e ${top}/mended COMMAND touch two)
 add_custom_command(OUTPUT bin/pxm DEPENDS two COMMAND mkdir -p bin
-                   COMMAND cp ${top}/host/main.cpp bin/pxm COMMAND chmod +x bin/pxm)
+                   COMMAND cp ${top}/host/commands/main.cpp bin/pxm COMMAND chmod +x bin/pxm)
 add_custom_target(all_of_it ALL DEPENDS bin/pxm)
 )");
     write(root_ / "host/commands/main.cpp", "#!/bin/sh\nexit 7\n");

@@ -27,10 +27,14 @@ TEST(Steepness, similitudes_are_not_steep_however_fine_the_picture) {
     EXPECT_FALSE(is_any_steep(squashed("0.001", 32'768)));
 }
 
+TEST(Steepness, maps_that_squash_little_are_not_steep_however_deep_the_zoom) {
+    EXPECT_FALSE(is_any_steep(squashed("0.5,0.2,0.5", 32'768)));
+    EXPECT_FALSE(is_any_steep(squashed("0.5,0.01,0.5", 32'768)));
+}
+
 TEST(Steepness, the_finer_the_picture_the_less_a_map_may_squash) {
-    EXPECT_FALSE(is_any_steep(squashed("0.5,0.2,0.5", 100)));
-    EXPECT_FALSE(is_any_steep(squashed("0.5,0.01,0.5", 20)));
-    EXPECT_TRUE(is_any_steep(squashed("0.5,0.01,0.5", 1000)));
+    EXPECT_FALSE(is_any_steep(squashed("0.5,0.0009,0.5", 4)));
+    EXPECT_TRUE(is_any_steep(squashed("0.5,0.0009,0.5", 1000)));
     EXPECT_TRUE(is_any_steep(squashed("0.5,0.0001,0.5", 20)));
 }
 

@@ -30,7 +30,8 @@ TEST(StabilityStudy, nothing_fails_silently) {
             EXPECT_EQ(one["wrong_share"], 0.0) << one["name"];
         }
         if (one["numeric"] == "wide") wide[one["name"]] = one;
-        for (const auto& [alarm, counts] : one.value("alarmed", Json::object()).items()) {
+        const Json of_alarms = one.value("alarmed", Json::object());
+        for (const auto& [alarm, counts] : of_alarms.items()) {
             auto& [pixels, wrong] = alarmed[alarm + " in " + one["numeric"].get<std::string>()];
             pixels += counts["pixels"].get<long>();
             wrong += counts["wrong"].get<long>();
