@@ -108,8 +108,8 @@ void outermost_cell(Node& node, const Search<Real>& search, std::uint32_t object
 
 /// Steps 2.4.1 to 2.4.3: the cell of a map inside `parent`. Its interval is not set yet, nor its
 /// composed linear part (complete_child). o M^-1 W_i^-1 is computed as (o M^-1) W_i^-1.
-/// Precondition: the parent's word has room for one more symbol. `composed`, if it is wanted, is the
-/// parent's M^-1; where maps are steep it is made short enough for the child's.
+/// Precondition: the parent's word has room for one more symbol. `composed`, if it is wanted, is
+/// the parent's M^-1; where maps are steep it is made short enough for the child's.
 template <NodeLike Node, class Real = typename Node::Real>
 void child_cell(Node& node, const Search<Real>& search, const Cell<Real>& parent, std::uint32_t map,
                 Cell<Real>& child, Linear<Real>* composed = nullptr) noexcept {

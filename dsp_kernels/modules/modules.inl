@@ -1,7 +1,7 @@
 // The modules of the node program, a section each: its heading, the headers that it is made of, and
-// the functions that it holds, as explicit instantiations inside namespace pxm::kernels. So there is
-// no second text of a kernel. tools/measure_modules compiles every section by itself and measures
-// it; nothing of this is linked into pxm (docs/program-memory.md).
+// the functions that it holds, as explicit instantiations inside namespace pxm::kernels. So there
+// is no second text of a kernel. tools/measure_modules compiles every section by itself and
+// measures it; nothing of this is linked into pxm (docs/program-memory.md).
 
 // Module "beam": local covers by area, one search for all places in a pixel.
 #include "dsp_kernels/beam.hpp"

@@ -20,8 +20,7 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
         if (command->get_name() == word) return;
         known += " " + command->get_name();
     }
-    throw Error(ErrorKind::setting,
-                "unknown command \"" + word + "\", expected one of" + known);
+    throw Error(ErrorKind::setting, "unknown command \"" + word + "\", expected one of" + known);
 }
 
 }  // namespace

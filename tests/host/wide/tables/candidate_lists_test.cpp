@@ -108,8 +108,8 @@ TEST(CandidateLists, lists_every_cell_that_a_ray_meets) {
                 const std::set<int> lanes(listed.lane, listed.lane + listed.count);
                 for (int i = 0; i < cells.count; ++i) {
                     const glm::dvec3 center =
-                        frame * glm::dvec3{cells.f64.row(0)[i], cells.f64.row(1)[i],
-                                           cells.f64.row(2)[i]};
+                        frame *
+                        glm::dvec3{cells.f64.row(0)[i], cells.f64.row(1)[i], cells.f64.row(2)[i]};
                     const double radius = cells.f64.row(HomothetyTable::scale)[i];
                     if (distance(place, slope, center) > radius) continue;
                     EXPECT_TRUE(lanes.contains(i)) << system << reach << " cell " << i;
