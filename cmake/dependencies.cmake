@@ -31,6 +31,7 @@ find_program(PXM_IMAGE_TOOLS iconvert)
 if(NOT PXM_IMAGE_TOOLS)
     missing("iconvert of OpenImageIO" openimageio-tools)
 endif()
+needs(zlib zlib1g-dev ZLIB)                            # pictures of the default format
 needs(OpenImageIO libopenimageio-dev OpenImageIO)      # image files
 # It also names an opencv4 include folder that nobody installs.
 foreach(property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES)

@@ -5,7 +5,7 @@
 # Why one expects something else: the functions return whether they were done, close() is where a buffer goes to the disk, and a write that fails in the middle of a PNG is told: one that tries
 #   a full disk once, with a large picture, finds nothing wrong.
 # What it means: a program that writes beside an old picture and renames when close() returned true replaces it by the head of one. pxm gives the writers a place to write to that remembers the first
-#   failure, and reads back what those write that take none (host/output/image_sink.cpp).
+#   failure, and reads back what those write that take none (host/output/library_encoder.cpp).
 # Seen on 2026-11-30:
 #   gif, room for 100 bytes: told as done, is whole              1 0
 #   fits, room for 100 bytes: told as done, is whole             1 0

@@ -38,7 +38,8 @@ struct Rule {
 
 // Outside libraries, each known to one place.
 const Rule library_rules[] = {
-    {R"(#include\s*<OpenImageIO/)", "host/(files|output)/.*", "OpenImageIO"},
+    {R"(#include\s*<OpenImageIO/)", "host/openimageio/.*", "OpenImageIO"},
+    {R"(#include\s*<zlib\.h>)", "host/output/png\\.cpp", "zlib"},
     {R"(#include\s*<CLI/)", "host/commands/options\\.cpp", "CLI11"},
     {R"(#include\s*<nlohmann/)", "host/(.*json[^/]*|output/.*|commands/.*|study/.*)",
      "nlohmann-json"},
@@ -67,7 +68,7 @@ const Floors all_floors[] = {
       {"compiled"},
       {"node_program"},
       {"engine"},
-      {"compile", "wide", "output"},
+      {"compile", "wide", "output", "openimageio"},
       {"import"},
       {"render"},
       {"inspect"},

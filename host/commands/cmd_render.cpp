@@ -130,6 +130,27 @@ Metadata metadata_of(const Statistics& s, const RenderArguments& a, const Render
             {"pixel_growth", fmt::format("{:.17g}", result.pixel_growth)}};
 }
 
+/// The picture's file, from before the first ray on.
+class PictureToFile : public PictureTaker {
+  public:
+    PictureToFile(const RenderArguments& arguments, const std::string& path,
+                  const std::vector<Aov>& aovs)
+        : arguments_(arguments), path_(path), aovs_(aovs) {}
+
+    void begin(const RenderResult& known) override {
+        writer_.emplace(path_, known.window, aovs_,
+                        metadata_of(known.statistics, arguments_, known));
+    }
+    void take(const Frame& part) override { writer_->append(part); }
+    void finish() { writer_->finish(); }
+
+  private:
+    const RenderArguments& arguments_;
+    const std::string& path_;
+    const std::vector<Aov>& aovs_;
+    std::optional<ImageWriter> writer_;
+};
+
 ExitCode explain(const RenderArguments& arguments) {
     const auto [x, y] = parse_pixel(arguments.pixel);
     put_result(explain_pixel(request_of(arguments), x, y));
@@ -157,32 +178,20 @@ ExitCode render_picture(const RenderArguments& arguments) {
     request.outputs = outputs_of(arguments, out);
 
     RenderResult result;
-    std::unique_ptr<ImageWriter> writer;
-    double write_seconds = 0;
-    const auto take = [&](const RenderResult& so_far) {
-        const double before = seconds();
-        if (!writer) {
-            const CropWindow& window = so_far.window;
-            writer = std::make_unique<ImageWriter>(
-                out, PixelSize{window.x1 - window.x0, window.y1 - window.y0}, aovs,
-                metadata_of(so_far.statistics, arguments, so_far));
-        }
-        writer->append(so_far.frame);
-        write_seconds += seconds() - before;
-    };
+    PictureToFile picture(arguments, out, aovs);
     {
         Progress progress(arguments.quiet);
         RunControl control;
         control.stop = &stop_requested();
         if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
-        result = render(request, control, take);
+        result = render(request, control, &picture);
     }
     if (result.stopped) return exit_code_of_signal(received_signal());
     tell(result.warnings);
     const double before_end = seconds();
-    writer->finish();
+    picture.finish();
     PhaseSeconds& phases = result.statistics.seconds;
-    phases.write = write_seconds + seconds() - before_end;
+    phases.write = seconds() - before_end;
     phases.total = seconds();
     if (!arguments.stats.empty()) {
         write_text_safely(arguments.stats, statistics_json(result.statistics));

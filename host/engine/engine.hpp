@@ -32,12 +32,24 @@ struct RunControl {
     std::function<void(double)> progress = nullptr;  // share done, 0..1; called from any thread
 };
 
+/// Who takes a picture while it is rendered: then nobody keeps a frame of the whole window.
+struct BlockTaker {
+    /// Takes a part of the window, all of whose pixels are known. Called by any thread, in any
+    /// order; the frame is gone afterwards.
+    std::function<void(const Frame&)> take;
+    /// Parts come by bands of about so many rows, from the top: what is put together of them needs
+    /// no more memory than two bands.
+    long band_rows = 0;
+};
+
 /// A gathered picture with its counts. `stopped`: the run was given up and the frame is incomplete.
+/// The frame is empty if the picture was taken block by block.
 struct EngineResult {
     Frame frame;
     RayStatistics rays;
     std::optional<MachineStatistics> machine;
-    double render_seconds = 0;
+    double render_seconds = 0;  // of the rays
+    double take_seconds = 0;    // of the taker, divided by the threads that it ran in
     bool stopped = false;
 };
 
@@ -52,7 +64,11 @@ class LoadedScene {
 
     /// Renders a window of the image. Precondition: it lies in the image. Throws Error: a bank of
     /// the machine is too small (5). What a thread throws is thrown again when all have ended.
-    [[nodiscard]] virtual EngineResult run(const CropWindow& window, const RunControl& control) = 0;
+    [[nodiscard]] virtual EngineResult run(const CropWindow& window, const RunControl& control,
+                                           const BlockTaker* taker) = 0;
+    [[nodiscard]] EngineResult run(const CropWindow& window, const RunControl& control) {
+        return run(window, control, nullptr);
+    }
 
     /// The scene as words for nodes (dsp_kernels/scene_block.hpp).
     [[nodiscard]] const std::vector<std::uint32_t>& block() const { return block_; }

@@ -58,6 +58,13 @@ struct Frame {
     Frame(const PixelSize& image, const CropWindow& window)
         : size(image), crop(window), pixels(static_cast<std::size_t>(columns() * rows())) {}
 
+    /// Becomes another window, with pixels as new, in the memory that there is.
+    void renew(const PixelSize& image, const CropWindow& window) {
+        size = image;
+        crop = window;
+        pixels.assign(static_cast<std::size_t>(columns() * rows()), PixelRecord{});
+    }
+
     [[nodiscard]] long columns() const { return crop.x1 - crop.x0; }
     [[nodiscard]] long rows() const { return crop.y1 - crop.y0; }
     /// The pixel at image coordinates inside the crop window.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "host/engine/engine.hpp"
 #include "host/engine/gather.hpp"
@@ -88,7 +89,9 @@ class LoadedMachine : public LoadedScene {
         machine_.emplace(loaded_machine());
     }
 
-    EngineResult run(const CropWindow& window, const RunControl& control) override {
+    using LoadedScene::run;
+    EngineResult run(const CropWindow& window, const RunControl& control,
+                     const BlockTaker* taker) override {
         // Counts and memories are those of one run, so a further run is of another machine.
         Machine<Real> machine = machine_ ? std::move(*machine_) : loaded_machine();
         machine_.reset();
@@ -134,6 +137,8 @@ class LoadedMachine : public LoadedScene {
         result.machine = collect(machine, rays, choice_.costs);
         result.stopped = stopped;
         result.render_seconds = clock.lap();
+        if (taker && !stopped) taker->take(std::exchange(result.frame, {}));
+        result.take_seconds = clock.lap();
         return result;
     }
 

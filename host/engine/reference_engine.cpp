@@ -29,20 +29,16 @@ kernels::PixelShare tile_share(const CropWindow& window, long left, long top) {
 template <class Real, kernels::Features features>
 class ReferenceTracer {
   public:
-    ReferenceTracer(const CompiledScene& scene, const std::vector<std::uint32_t>& block,
-                    Frame& frame)
-        : scene_(scene),
-          block_(block),
-          frame_(frame),
-          node_(make_native_node<NativeNode<Real>>(scene, block)) {
+    ReferenceTracer(const CompiledScene& scene, const std::vector<std::uint32_t>& block)
+        : scene_(scene), block_(block), node_(make_native_node<NativeNode<Real>>(scene, block)) {
         clear_overflow();  // a thread keeps the flags of what it computed before
     }
 
-    void render(long left, long top, const GoOn& go_on) {
+    void render(Frame& frame, long left, long top, const GoOn& go_on) {
         kernels::pixel_program<features>(
-            node_, tile_share(frame_.crop, left, top),
+            node_, tile_share(frame.crop, left, top),
             [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
-                PixelRecord& record = frame_.at(x, y);
+                PixelRecord& record = frame.at(x, y);
                 gather_pixel(scene_, block_, pixel, record, rays_);
                 const NodeId id = owner(model_, static_cast<int>(x), static_cast<int>(y));
                 record.node = static_cast<std::uint16_t>(id.row * model_.columns + id.column);
@@ -55,7 +51,6 @@ class ReferenceTracer {
   private:
     const CompiledScene& scene_;
     const std::vector<std::uint32_t>& block_;
-    Frame& frame_;
     const Model& model_ = *find_model("964");  // for the `node` channel
     NativeNode<Real> node_;
     RayStatistics rays_;
@@ -69,13 +64,12 @@ class LoadedReferenceScene : public LoadedScene {
         block_ = make_scene_block<Real>(scene);
     }
 
-    EngineResult run(const CropWindow& window, const RunControl& control) override {
-        EngineResult result;
-        result.frame = Frame(scene_.size, window);
-        run_tiles(blocks_of_tiles(window, part_side, threads_), threads_, control, result, [&] {
-            return std::make_unique<ReferenceTracer<Real, features>>(scene_, block_, result.frame);
+    using LoadedScene::run;
+    EngineResult run(const CropWindow& window, const RunControl& control,
+                     const BlockTaker* taker) override {
+        return run_tiles({scene_.size, window, part_side, threads_}, control, taker, [&] {
+            return std::make_unique<ReferenceTracer<Real, features>>(scene_, block_);
         });
-        return result;
     }
 
   private:

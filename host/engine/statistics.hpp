@@ -64,7 +64,8 @@ struct PhaseSeconds {
     double parse = 0;
     double compile = 0;
     double load = 0;
-    double render = 0;
+    double render = 0;  // the rays
+    double encode = 0;  // beside them, in the same threads: pixels to the bytes of a file
     double write = 0;
     double total = 0;
 };

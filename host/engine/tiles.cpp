@@ -4,23 +4,25 @@
 
 namespace pxm::host {
 
-std::vector<TileBlock> blocks_of_tiles(const CropWindow& window, long part, long threads) {
+std::vector<TileBlock> blocks_of_tiles(const CropWindow& window, long part, long band_rows,
+                                       long threads) {
     constexpr long most_side = 8 * tile_side, least_side = 2 * tile_side;
     constexpr long blocks_a_thread = 16;
     const long pixels = (window.x1 - window.x0) * (window.y1 - window.y0);
-    long side = std::min(part, most_side);
+    const long part_rows = std::min(part, band_rows);
+    long side = std::min(part_rows, most_side);
     while (side / 2 >= least_side && pixels < blocks_a_thread * threads * side * side) side /= 2;
     side = side / tile_side * tile_side;
     const auto first_tile = [](long pixel) { return pixel / tile_side * tile_side; };
     std::vector<TileBlock> blocks;
-    for (long part_y = window.y0 / part * part; part_y < window.y1; part_y += part) {
+    for (long part_y = window.y0 / part_rows * part_rows; part_y < window.y1; part_y += part_rows) {
         for (long part_x = window.x0 / part * part; part_x < window.x1; part_x += part) {
-            for (long y = part_y; y < part_y + part; y += side) {
+            for (long y = part_y; y < part_y + part_rows; y += side) {
                 for (long x = part_x; x < part_x + part; x += side) {
                     const TileBlock block{std::max(x, first_tile(window.x0)),
                                           std::max(y, first_tile(window.y0)),
                                           std::min({x + side, part_x + part, window.x1}),
-                                          std::min({y + side, part_y + part, window.y1})};
+                                          std::min({y + side, part_y + part_rows, window.y1})};
                     if (block.x0 < block.x1 && block.y0 < block.y1) blocks.push_back(block);
                 }
             }

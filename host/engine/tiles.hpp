@@ -4,8 +4,10 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "host/engine/engine.hpp"
@@ -22,21 +24,42 @@ struct TileBlock {
 };
 
 /// The blocks of a window. Those of one part of the image, a square of `part` pixels counted from
-/// the image's corner, come one after another, and there are enough of them for all threads.
-/// Precondition: `part` is a multiple of tile_side.
+/// the image's corner, come one after another, and there are enough of them for all threads. Parts
+/// that are higher than `band_rows` are cut, so that blocks come by bands of rows. Precondition:
+/// `part` and `band_rows` are multiples of tile_side.
 [[nodiscard]] std::vector<TileBlock> blocks_of_tiles(const CropWindow& window, long part,
-                                                     long threads);
+                                                     long band_rows, long threads);
+
+/// What of a block lies in the window.
+[[nodiscard]] inline CropWindow part_of(const TileBlock& block, const CropWindow& window) {
+    return {std::max(block.x0, window.x0), std::max(block.y0, window.y0),
+            std::min(block.x1, window.x1), std::min(block.y1, window.y1)};
+}
 
 /// False when the run is given up: tracers that take long for a tile ask now and then.
 using GoOn = std::function<bool()>;
 
-/// Renders blocks with OpenMP. `make_tracer()` points to what one thread renders with and is called
-/// in that thread; `tracer->render(left, top, go_on)` renders the tile that begins there, and
-/// `tracer->finish()` returns the thread's counts. Fills in all of `result` but the frame, which
-/// the tracers write to.
+/// A window of an image that is rendered by threads.
+struct TileJob {
+    PixelSize size;  // of the image
+    CropWindow window;
+    long part = 0;  // of blocks_of_tiles()
+    int threads = 1;
+};
+
+/// Renders a window with OpenMP. `make_tracer()` points to what one thread renders with and is
+/// called in that thread; `tracer->render(frame, left, top, go_on)` renders those pixels of the
+/// tile that begins there which lie in the frame, whose pixels are as new, and `tracer->finish()`
+/// returns the thread's counts. With a taker each thread has a frame for its block, which stays in
+/// its cache; without, all write to that of the result.
 template <class MakeTracer>
-void run_tiles(const std::vector<TileBlock>& blocks, int threads, const RunControl& control,
-               EngineResult& result, const MakeTracer& make_tracer) {
+EngineResult run_tiles(const TileJob& job, const RunControl& control, const BlockTaker* taker,
+                       const MakeTracer& make_tracer) {
+    constexpr long all_rows = std::numeric_limits<long>::max() / 2 / tile_side * tile_side;
+    const std::vector<TileBlock> blocks =
+        blocks_of_tiles(job.window, job.part, taker ? taker->band_rows : all_rows, job.threads);
+    EngineResult result;
+    if (!taker) result.frame = Frame(job.size, job.window);
     PhaseClock clock;
     std::atomic<long> done = 0;
     std::atomic<bool> stopped = false;
@@ -45,19 +68,28 @@ void run_tiles(const std::vector<TileBlock>& blocks, int threads, const RunContr
         return !stopped.load(std::memory_order_relaxed);
     };
     FirstFailure failure;
-    const int team = threads_that_start(threads);
+    const int team = threads_that_start(job.threads);
 #pragma omp parallel num_threads(team)
     {
         decltype(make_tracer()) tracer;
+        Frame own;
+        double take_seconds = 0;
         failure.guard([&] { tracer = make_tracer(); });
 #pragma omp for schedule(dynamic) nowait
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             failure.guard([&] {
                 const TileBlock& block = blocks[i];
+                if (taker) own.renew(job.size, part_of(block, job.window));
+                Frame& frame = taker ? own : result.frame;
                 for (long top = block.y0; top < block.y1; top += tile_side) {
                     for (long left = block.x0; left < block.x1; left += tile_side) {
-                        if (go_on()) tracer->render(left, top, go_on);
+                        if (go_on()) tracer->render(frame, left, top, go_on);
                     }
+                }
+                if (taker && go_on()) {
+                    PhaseClock take_clock;
+                    taker->take(frame);
+                    take_seconds += take_clock.lap();
                 }
                 const long finished = ++done;
                 if (control.progress && omp_get_thread_num() == 0) {
@@ -69,12 +101,16 @@ void run_tiles(const std::vector<TileBlock>& blocks, int threads, const RunContr
         failure.guard([&] {
             const RayStatistics rays = tracer->finish();
 #pragma omp critical(pxm_tile_sum)
-            result.rays.add(rays);  // integers: the sum does not depend on the order
+            {
+                result.rays.add(rays);  // integers: the sum does not depend on the order
+                result.take_seconds += take_seconds / team;
+            }
         });
     }
     failure.rethrow();
     result.stopped = stopped;
-    result.render_seconds = clock.lap();
+    result.render_seconds = clock.lap() - result.take_seconds;
+    return result;
 }
 
 }  // namespace pxm::host

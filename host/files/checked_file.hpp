@@ -7,28 +7,30 @@
 #include <string>
 #include <vector>
 
+#include "host/files/picture_library.hpp"
+
 namespace pxm::host {
 
 /// What a descriptor can do: a pipe only takes one byte after the other.
 enum class Places { any, in_order };
 
-class CheckedFile {
+class CheckedFile : public FileBytes {
   public:
     /// Takes over an open descriptor; messages call it `name`.
     CheckedFile(int descriptor, std::string name, Places places);
     CheckedFile(const CheckedFile&) = delete;
     CheckedFile& operator=(const CheckedFile&) = delete;
-    ~CheckedFile();
+    ~CheckedFile() override;
 
     [[nodiscard]] int descriptor() const { return descriptor_; }
 
     /// Writes at a place in bytes, or soon: what follows on what was written last is collected.
     /// False once any write has failed.
-    bool write_at(std::int64_t place, const void* data, std::size_t bytes) noexcept;
+    bool write_at(std::int64_t place, const void* data, std::size_t bytes) noexcept override;
     /// Reads what is there, including what is still collected; returns the bytes read.
-    std::size_t read_at(std::int64_t place, void* data, std::size_t bytes) noexcept;
+    std::size_t read_at(std::int64_t place, void* data, std::size_t bytes) noexcept override;
     /// In bytes, with what is still collected; 0 if it cannot be told.
-    [[nodiscard]] std::int64_t size() noexcept;
+    [[nodiscard]] std::int64_t size() noexcept override;
     /// Writes at the end of what append() wrote before. Throws Error(ErrorKind::file).
     void append(const void* data, std::size_t bytes);
 

@@ -1,8 +1,5 @@
-#define FMT_EXCEPTIONS 1  // OpenImageIO's headers would switch them off
 #include "host/files/image_reader.hpp"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -70,33 +67,27 @@ void require_within(const ImageLimits& limits, const ExrSizes& sizes) {
             row_values, row_values * 64)};
 }
 
-ExrSizes sizes_of(const OIIO::ImageSpec& spec) {
-    return {spec.width, spec.height, spec.nchannels, spec.tile_width, spec.tile_height};
+ExrSizes sizes_of(const PictureSpec& spec) {
+    return {spec.width, spec.height, spec.channel_count, spec.tile_width, spec.tile_height};
 }
 
-void require_understood(const OIIO::ImageSpec& spec) {
+void require_understood(const PictureSpec& spec) {
     if (spec.deep) throw Refusal{"it has several values a pixel (deep data)"};
     if (spec.depth > 1 || spec.tile_depth > 1) throw Refusal{"it is a volume, not a picture"};
-    if (spec.channelnames.size() != static_cast<std::size_t>(std::max(spec.nchannels, 0)))
+    if (spec.channels.size() != static_cast<std::size_t>(std::max<long>(spec.channel_count, 0)))
         throw Refusal{"it does not name its channels"};
 }
 
-/// Whether the numbers of a file go through the sRGB curve.
-bool is_srgb(const OIIO::ImageSpec& spec) {
-    return !spec.format.is_floating_point() &&
-           spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
-}
-
-ImageHeader header_of(const OIIO::ImageSpec& spec) {
+/// Of a picture within the limits.
+ImageHeader header_of(const PictureSpec& spec) {
     ImageHeader header;
-    header.width = spec.width;
-    header.height = spec.height;
-    header.channels = spec.channelnames;
-    header.srgb = is_srgb(spec);
-    for (const auto& attribute : spec.extra_attribs) {
-        const std::string name = attribute.name().string();
+    header.width = static_cast<int>(spec.width);
+    header.height = static_cast<int>(spec.height);
+    header.channels = spec.channels;
+    header.srgb = !spec.floats && spec.color_space != "Linear";
+    for (const auto& [name, value] : spec.metadata) {
         if (name.starts_with("pxm:") || name.starts_with("pxm_"))
-            header.metadata.emplace_back(name.substr(4), attribute.get_string());
+            header.metadata.emplace_back(name.substr(4), value);
     }
     return header;
 }
@@ -135,23 +126,12 @@ const std::string* ImageHeader::find(const std::string& name) const {
     return found == metadata.end() ? nullptr : &found->second;
 }
 
-void prepare_image_library() {
-    static const bool prepared = [] {
-        ::unsetenv("OIIO_LIBRARY_PATH");  // it adds to the path of plug-ins whatever is set here
-        OIIO::attribute("plugin_searchpath", "");
-        return OIIO::attribute("threads", 1);
-    }();
-    (void)prepared;
-}
-
 struct ImageReader::File {
     std::string path;
     RegularFile file;
     std::unique_ptr<std::FILE, CloseFile> stream;
-    std::unique_ptr<OIIO::Filesystem::IOFile> proxy;
-    std::unique_ptr<OIIO::ImageInput> input;  // is gone before what it reads from
+    std::unique_ptr<PictureInput> input;  // is gone before what it reads from
     ImageHeader header;
-    int first_row = 0;  // of the file's own numbers
     int band_rows = 1;  // read at once
     int next = 0;       // row to be handed out
     int known = 0;      // rows read
@@ -170,39 +150,24 @@ void ImageReader::File::open(const ImageLimits& wanted) {
     const ImageFormat format = format_of(file);
     const ImageLimits limits = limits_of(file, format, wanted);
     if (format == ImageFormat::openexr) require_within(limits, largest_exr_sizes(file));
-    prepare_image_library();
     stream = stream_of(file);
-    proxy =
-        std::make_unique<OIIO::Filesystem::IOFile>(stream.get(), OIIO::Filesystem::IOProxy::Read);
-    input = OIIO::ImageInput::create(reader_name(format));
-    if (!input) throw Refusal{sentence_of(OIIO::geterror())};
-    OIIO::ImageSpec spec;
-    OIIO::attribute("exr_threads", -1);  // none: each would have buffers of its own
-    const bool opened = input->set_ioproxy(proxy.get()) && input->open(path, spec);
-    OIIO::attribute("exr_threads", 0);  // the default again, for pictures that are written
-    if (!opened) throw Refusal{sentence_of(input->geterror())};
+    std::string error;
+    input = picture_library().open(reader_name(format), stream.get(), path, error);
+    if (!input) throw Refusal{sentence_of(error)};
+    const PictureSpec& spec = input->spec();
     require_understood(spec);
     require_within(limits, sizes_of(spec));
     header = header_of(spec);
-    first_row = spec.y;
-    const long values = long{spec.width} * spec.nchannels;
-    band_rows = spec.tile_height > 0 ? spec.tile_height
-                                     : static_cast<int>(std::clamp(row_values / values, 1L, 64L));
+    const long values = spec.width * spec.channel_count;
+    band_rows = static_cast<int>(spec.tile_height > 0 ? spec.tile_height
+                                                      : std::clamp(row_values / values, 1L, 64L));
     band.resize(static_cast<std::size_t>(values) * static_cast<std::size_t>(band_rows));
 }
 
 void ImageReader::File::read_band() {
-    const OIIO::ImageSpec& spec = input->spec();
     const int end = std::min(header.height, known + band_rows);
-    const int from = first_row + known;
-    const int to = first_row + end;
-    const bool done =
-        spec.tile_width > 0
-            ? input->read_tiles(0, 0, spec.x, spec.x + spec.width, from, to, spec.z, spec.z + 1, 0,
-                                spec.nchannels, OIIO::TypeDesc::FLOAT, band.data())
-            : input->read_scanlines(0, 0, from, to, spec.z, 0, spec.nchannels,
-                                    OIIO::TypeDesc::FLOAT, band.data());
-    if (!done) refuse(sentence_of(input->geterror()));
+    if (!input->read_floats(known, end, static_cast<int>(header.channels.size()), band.data()))
+        refuse(sentence_of(input->error()));
     known = end;
 }
 

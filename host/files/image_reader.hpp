@@ -9,10 +9,9 @@
 #include <utility>
 #include <vector>
 
-namespace pxm::host {
+#include "host/files/picture_library.hpp"
 
-/// Metadata as text: name, value.
-using Metadata = std::vector<std::pair<std::string, std::string>>;
+namespace pxm::host {
 
 /// All that is known of a picture but its pixels.
 struct ImageHeader {
@@ -93,8 +92,5 @@ struct LinearPicture {
 
 /// Linear of a value of the sRGB curve, 0..1.
 [[nodiscard]] float linear_from_srgb(float srgb);
-
-/// Tells OpenImageIO to load no plug-ins and to start no threads. Before any other use of it.
-void prepare_image_library();
 
 }  // namespace pxm::host

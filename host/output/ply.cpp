@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstring>
 
-#include "host/output/image.hpp"
+#include "host/output/pixel_values.hpp"
 #include "host/text/printable.hpp"
 
 namespace pxm::host {
@@ -17,20 +17,6 @@ static_assert(std::endian::native == std::endian::little, "the header says littl
 
 constexpr std::size_t longest_point_bytes = 3 * sizeof(double) + 3;
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
-
-/// sRGB bytes of linear values in 4096 steps: a point a power function is too slow.
-unsigned char srgb_byte(double linear) {
-    static const std::array<unsigned char, 4097> table = [] {
-        std::array<unsigned char, 4097> bytes{};
-        for (std::size_t i = 0; i < bytes.size(); ++i) {
-            bytes[i] = static_cast<unsigned char>(
-                srgb_from_linear(static_cast<float>(i) / 4096.0F) * 255.0F + 0.5F);
-        }
-        return bytes;
-    }();
-    const double clamped = linear < 0 ? 0 : linear > 1 ? 1 : linear;
-    return table[static_cast<std::size_t>(clamped * 4096 + 0.5)];
-}
 
 template <class Value, std::size_t count>
 void append(std::vector<char>& buffer, const std::array<Value, count>& values) {
@@ -61,7 +47,8 @@ void PlyWriter::add(const glm::dvec3& place, const glm::dvec3& color) {
     } else {
         append(buffer_, std::array{place.x, place.y, place.z});
     }
-    append(buffer_, std::array{srgb_byte(color.r), srgb_byte(color.g), srgb_byte(color.b)});
+    const auto byte = [](double linear) { return srgb_byte(static_cast<float>(linear)); };
+    append(buffer_, std::array{byte(color.r), byte(color.g), byte(color.b)});
     if (buffer_.size() >= buffer_bytes) flush();
 }
 

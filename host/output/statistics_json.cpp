@@ -89,9 +89,10 @@ std::string statistics_json(const Statistics& s) {
     json["size"] = {s.size.columns, s.size.rows};
     json["threads"] = s.threads;
     json["threads_because"] = s.threads_because;
-    json["seconds"] = {{"parse", s.seconds.parse}, {"compile", s.seconds.compile},
-                       {"load", s.seconds.load},   {"render", s.seconds.render},
-                       {"write", s.seconds.write}, {"total", s.seconds.total}};
+    json["seconds"] = {{"parse", s.seconds.parse},   {"compile", s.seconds.compile},
+                       {"load", s.seconds.load},     {"render", s.seconds.render},
+                       {"encode", s.seconds.encode}, {"write", s.seconds.write},
+                       {"total", s.seconds.total}};
     json["intersect"] = {{"method", s.intersect}, {"because", s.intersect_because}};
     json["rerooted"] = {{"objects", s.rerooted.objects}, {"levels", s.rerooted.levels}};
     json["rays"] = {

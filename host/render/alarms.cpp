@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -22,14 +21,8 @@ namespace {
 constexpr double rounding = 1e-4;  // of a depth
 constexpr double least_ulps = 32;  // where float begins to show wrong pixels (docs/studies.md)
 
-/// What a number type can hold.
-struct Precision {
-    const char* name;
-    double step;            // relative error of one operation
-    double smallest_share;  // p never falls below this share of an object's diameter
-    double steepest;        // condition of a map that half of the digits cannot bear
-    double largest;         // whose square is still in range
-};
+using Precision = AlarmTally::Precision;
+using Place = AlarmTally::Place;
 
 Precision precision_of(Numeric numeric) {
     switch (numeric) {
@@ -42,15 +35,6 @@ Precision precision_of(Numeric numeric) {
     }
     return {"double", 0x1p-53, smallest_pixel_share<double>(), 0x1p26, 1e150};
 }
-
-/// An object's outermost volume, seen from the eye, in scene units.
-struct Place {
-    int origin = 0;       // number of the object in the scene
-    double distance = 0;  // of its middle
-    double diameter = 0;
-    double begin = 0;  // what is nearer than that, or farther than the end, is not of the object
-    double end = 0;
-};
 
 Place place_of(const CompiledScene& scene, const CompiledObject& object) {
     const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
@@ -88,41 +72,6 @@ std::uint8_t look(const CompiledScene& scene, const Precision& precision, double
     return alarms;
 }
 
-/// How near anything is that the frame shows, in scene units; infinite if it shows nothing.
-double nearest_hit(const CompiledScene& scene, const Frame& frame) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const PixelRecord& pixel : frame.pixels)
-        if (pixel.level >= 0) nearest = std::min(nearest, double{pixel.z} / scene.unit);
-    return nearest;
-}
-
-/// What is true of every pixel that misses: it might have met an object as near as any pixel does,
-/// or as near as the object's volume begins if none does.
-std::uint8_t alarms_of_misses(const CompiledScene& scene, const Precision& precision,
-                              const std::vector<Place>& places, const Frame& frame) {
-    const double hit = nearest_hit(scene, frame);
-    std::uint8_t alarms = 0;
-    for (const Place& place : places) {
-        const double from = std::isfinite(hit) ? std::max(place.begin, hit) : place.begin;
-        if (from <= place.end) alarms |= look(scene, precision, from, place);
-    }
-    return alarms;
-}
-
-/// Alarms of a pixel that shows one of the objects that a scene's object became, whichever it is.
-std::uint8_t alarms_of_hit(const CompiledScene& scene, const Precision& precision,
-                           const std::vector<Place>& places, const PixelRecord& pixel) {
-    const double distance = double{pixel.z} / scene.unit;
-    std::uint8_t alarms = 0;
-    for (const Place& place : places) {
-        const bool there = std::isinf(place.end) || (place.begin * (1 - rounding) <= distance &&
-                                                     distance <= place.end * (1 + rounding));
-        if (place.origin == pixel.object && there)
-            alarms |= look(scene, precision, distance, place);
-    }
-    return alarms;
-}
-
 bool is_finite(const PixelRecord& pixel) {
     const auto all = [](const float(&v)[3]) {
         return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
@@ -130,33 +79,12 @@ bool is_finite(const PixelRecord& pixel) {
     return all(pixel.color) && all(pixel.normal) && (pixel.level < 0 || std::isfinite(pixel.z));
 }
 
-/// How many pixels have each alarm, by its bit.
-class AlarmCounts {
-  public:
-    void add(std::uint8_t alarms) {
-        for (unsigned rest = alarms; rest != 0; rest &= rest - 1)
-            ++counts_[static_cast<std::size_t>(std::countr_zero(rest))];
-    }
-    [[nodiscard]] std::uint64_t of(PixelAlarm alarm) const {
-        return counts_[static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(alarm)))];
-    }
-
-  private:
-    std::array<std::uint64_t, 8> counts_{};
-};
-
-AlarmCounts mark_pixels(const CompiledScene& scene, const Precision& precision, Frame& frame) {
-    const std::vector<Place> places = places_of(scene);
-    const auto objects = static_cast<int>(object_count(scene));
-    const std::uint8_t missed = alarms_of_misses(scene, precision, places, frame);
-    AlarmCounts counts;
-    for (PixelRecord& pixel : frame.pixels) {
-        const bool hit = pixel.level >= 0 && pixel.object < objects;
-        pixel.alarms |= hit ? alarms_of_hit(scene, precision, places, pixel) : missed;
-        if (!is_finite(pixel)) pixel.alarms |= alarm_not_finite;
-        counts.add(pixel.alarms);
-    }
-    return counts;
+std::uint64_t count_of(const std::array<std::uint64_t, 256>& counts, PixelAlarm alarm,
+                       std::uint8_t of_all) {
+    std::uint64_t count = 0;
+    for (std::size_t bits = 0; bits < counts.size(); ++bits)
+        if (((bits | of_all) & alarm) != 0) count += counts[bits];
+    return count;
 }
 
 template <class Wrong>
@@ -179,9 +107,71 @@ bool is_out_of_range(const CompiledMap& map, double largest) {
 
 }  // namespace
 
-std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Frame& frame) {
-    const Precision precision = precision_of(numeric);
-    const AlarmCounts counts = mark_pixels(scene, precision, frame);
+AlarmTally::AlarmTally(const CompiledScene& scene, Numeric numeric)
+    : scene_(scene),
+      precision_(precision_of(numeric)),
+      places_(places_of(scene)),
+      objects_(static_cast<int>(object_count(scene))) {}
+
+/// Of a pixel that shows one of the objects that a scene's object became, whichever it is.
+std::uint8_t AlarmTally::alarms_of(const PixelRecord& hit) const {
+    const double distance = double{hit.z} / scene_.unit;
+    std::uint8_t alarms = 0;
+    for (const Place& place : places_) {
+        const bool there = std::isinf(place.end) || (place.begin * (1 - rounding) <= distance &&
+                                                     distance <= place.end * (1 + rounding));
+        if (place.origin == hit.object && there)
+            alarms |= look(scene_, precision_, distance, place);
+    }
+    return alarms;
+}
+
+/// What is true of every pixel that misses: it might have met an object as near as any pixel does,
+/// or as near as the object's volume begins if none does.
+std::uint8_t AlarmTally::alarms_of_misses() const {
+    std::uint8_t alarms = 0;
+    for (const Place& place : places_) {
+        const double from = std::isfinite(nearest_) ? std::max(place.begin, nearest_) : place.begin;
+        if (from <= place.end) alarms |= look(scene_, precision_, from, place);
+    }
+    return alarms;
+}
+
+void AlarmTally::add(const Frame& part) {
+    Counts hits{}, misses{};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const PixelRecord& pixel : part.pixels) {
+        const unsigned own = pixel.alarms | (is_finite(pixel) ? 0U : unsigned{alarm_not_finite});
+        if (pixel.level >= 0) nearest = std::min(nearest, double{pixel.z} / scene_.unit);
+        if (is_hit(pixel)) {
+            ++hits[own | alarms_of(pixel)];
+        } else {
+            ++misses[own];
+        }
+    }
+    const std::lock_guard lock(mutex_);
+    for (std::size_t bits = 0; bits < hits.size(); ++bits) {
+        hits_[bits] += hits[bits];
+        misses_[bits] += misses[bits];
+    }
+    nearest_ = std::min(nearest_, nearest);
+}
+
+void AlarmTally::mark(Frame& whole) const {
+    const std::uint8_t missed = alarms_of_misses();
+    for (PixelRecord& pixel : whole.pixels) {
+        pixel.alarms |= is_hit(pixel) ? alarms_of(pixel) : missed;
+        if (!is_finite(pixel)) pixel.alarms |= alarm_not_finite;
+    }
+}
+
+std::vector<Alarm> AlarmTally::alarms() const {
+    const CompiledScene& scene = scene_;
+    const Precision& precision = precision_;
+    const std::uint8_t missed = alarms_of_misses();
+    const auto pixels = [&](PixelAlarm alarm) {
+        return count_of(hits_, alarm, 0) + count_of(misses_, alarm, missed);
+    };
     const auto steep = [&](const CompiledMap& map) {
         const auto values = singular_values(map.map.linear).values;
         return map.lost.empty() && !(values[0] <= precision.steepest * values[2]);
@@ -194,17 +184,17 @@ std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Fra
     const auto of_maps = [&](const char* alarm, const auto& wrong, const std::string& text) {
         return Alarm{alarm, count_maps(scene, wrong), text, false};
     };
-    return {{"precision", counts.of(alarm_precision),
+    return {{"precision", pixels(alarm_precision),
              fmt::format("pixels are less than {} units of the last place of {} wide where they "
                          "look: cells may be missed or misplaced",
                          least_ulps, name)},
-            {"floored", counts.of(alarm_floored),
+            {"floored", pixels(alarm_floored),
              fmt::format("pixels are finer than {} can tell apart: they show larger cells", name)},
-            {"capped", counts.of(alarm_capped),
+            {"capped", pixels(alarm_capped),
              "pixels show the nearest cell known when their ray was given up"},
-            {"not_finite", counts.of(alarm_not_finite),
+            {"not_finite", pixels(alarm_not_finite),
              "pixels have a depth, colour or normal that is no number"},
-            {"overflow", counts.of(alarm_overflow),
+            {"overflow", pixels(alarm_overflow),
              fmt::format("pixels met a cell whose numbers are beyond the range of {}: it may be "
                          "missed",
                          name)},
@@ -216,14 +206,11 @@ std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Fra
                     fmt::format("maps have inverses that leave the range of {}", name))};
 }
 
-void add_pixels(std::vector<Alarm>& sum, const std::vector<Alarm>& part) {
-    if (sum.empty()) {
-        sum = part;
-        return;
-    }
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-        if (sum[i].of_pixels) sum[i].count += part[i].count;
-    }
+std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Frame& frame) {
+    AlarmTally tally(scene, numeric);
+    tally.add(frame);
+    tally.mark(frame);
+    return tally.alarms();
 }
 
 std::string alarm_text(const std::vector<Alarm>& alarms) {

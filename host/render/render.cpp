@@ -48,17 +48,6 @@ RenderResult begin_result(const RenderRequest& request, const Prepared& prepared
     return result;
 }
 
-/// Adds what an engine did for the whole window, or for a band of it.
-void add_run(RenderResult& result, const CompiledScene& scene, Numeric numeric, EngineResult run) {
-    Statistics& statistics = result.statistics;
-    result.stopped = run.stopped;
-    result.frame = std::move(run.frame);
-    add_pixels(statistics.alarms, raise_alarms(scene, numeric, result.frame));
-    statistics.rays.add(run.rays);
-    statistics.machine = std::move(run.machine);
-    statistics.seconds.render += run.render_seconds;
-}
-
 std::string warnings_about(const RayStatistics& rays, std::uint32_t cell_cap) {
     if (rays.capped_rays == 0) return "";
     return fmt::format(
@@ -67,28 +56,36 @@ std::string warnings_about(const RayStatistics& rays, std::uint32_t cell_cap) {
         rays.capped_rays, rays.eye_rays + rays.light_rays + rays.reflect_rays, cell_cap);
 }
 
-/// The window in bands of whole rows of tiles, each at most so large as a frame in memory.
-std::vector<CropWindow> bands_of(const CropWindow& window) {
-    constexpr long most_bytes = 128L << 20;
-    const long row_bytes = (window.x1 - window.x0) * static_cast<long>(sizeof(PixelRecord));
-    const long rows = std::max<long>(tile_side, most_bytes / row_bytes / tile_side * tile_side);
-    std::vector<CropWindow> bands;
-    for (long top = window.y0; top < window.y1;) {
-        const long bottom = std::min(window.y1, (top / tile_side) * tile_side + rows);
-        bands.push_back({window.x0, top, window.x1, bottom});
-        top = bottom;
-    }
-    return bands;
+/// Rows of which all columns together are so many pixels: what is taken from an engine in blocks
+/// and put together by rows.
+long rows_at_once(const CropWindow& window) {
+    constexpr long pixels = 8L << 20, least = 64;
+    return std::max(least, pixels / (window.x1 - window.x0) / least * least);
 }
 
-/// The same control, whose progress is that of one of several parts.
-RunControl control_of_part(const RunControl& control, std::size_t part, std::size_t parts) {
-    RunControl own = control;
-    if (!control.progress) return own;
-    own.progress = [&control, part, parts](double share) {
-        control.progress((static_cast<double>(part) + share) / static_cast<double>(parts));
-    };
-    return own;
+/// Runs the engine and adds what it did. What its threads render is counted and handed on by them.
+void run(LoadedScene& loaded, const CompiledScene& scene, Numeric numeric,
+         const RunControl& control, PictureTaker* taker, RenderResult& result) {
+    AlarmTally tally(scene, numeric);
+    const BlockTaker blocks{[&](const Frame& block) {
+                                tally.add(block);
+                                taker->take(block);
+                            },
+                            rows_at_once(result.window)};
+    if (taker) taker->begin(result);
+    EngineResult run = loaded.run(result.window, control, taker ? &blocks : nullptr);
+    result.stopped = run.stopped;
+    result.frame = std::move(run.frame);
+    if (!taker) {
+        tally.add(result.frame);
+        tally.mark(result.frame);
+    }
+    Statistics& statistics = result.statistics;
+    statistics.alarms = tally.alarms();
+    statistics.rays = run.rays;
+    statistics.machine = std::move(run.machine);
+    statistics.seconds.render = run.render_seconds;
+    statistics.seconds.encode = run.take_seconds;
 }
 
 }  // namespace
@@ -99,7 +96,7 @@ std::unique_ptr<LoadedScene> load(const CompiledScene& scene, const EngineChoice
     return load_reference(scene, choice);
 }
 
-RenderResult render(const RenderRequest& request, const RunControl& control, const TakeBand& take) {
+RenderResult render(const RenderRequest& request, const RunControl& control, PictureTaker* taker) {
     PhaseClock clock;
     const Prepared prepared = prepare(request);
     require_spared(request.outputs, inputs_of(prepared.scene));
@@ -121,13 +118,7 @@ RenderResult render(const RenderRequest& request, const RunControl& control, con
     result.statistics.seconds.load = load_clock.lap();
     result.statistics.scene_block_words = loaded->block().size();
     result.statistics.scene_block_hash = block_hash(loaded->block());
-    const std::vector<CropWindow> bands =
-        take && !request.machine ? bands_of(result.window) : std::vector{result.window};
-    for (std::size_t i = 0; i < bands.size() && !result.stopped; ++i) {
-        add_run(result, prepared.compiled, places,
-                loaded->run(bands[i], control_of_part(control, i, bands.size())));
-        if (take && !result.stopped) take(result);
-    }
+    run(*loaded, prepared.compiled, places, control, taker, result);
     result.warnings += warnings_about(result.statistics.rays, prepared.compiled.cell_cap);
     result.warnings += alarm_text(result.statistics.alarms);
     result.statistics.seconds.total = clock.lap();

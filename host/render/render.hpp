@@ -54,7 +54,7 @@ struct RenderRequest {
 };
 
 struct RenderResult {
-    Frame frame;        // of the window, or the last band of it
+    Frame frame;        // of the window; empty if a PictureTaker took it
     CropWindow window;  // what was rendered, of the image
     Statistics statistics;
     std::string warnings;     // for the user, empty if there are none
@@ -68,16 +68,22 @@ struct RenderResult {
 [[nodiscard]] std::unique_ptr<LoadedScene> load(const CompiledScene& scene,
                                                 const EngineChoice& choice);
 
-/// Takes the frame of a result: the next rows of the window from the top. All but the counts of
-/// what is still to come is known.
-using TakeBand = std::function<void(const RenderResult&)>;
+/// Takes a picture while it is rendered.
+class PictureTaker {
+  public:
+    virtual ~PictureTaker() = default;
+    /// Before the first ray: all is known but the frame and what is counted and measured.
+    virtual void begin(const RenderResult& known) = 0;
+    /// A part of the window. Any thread, and parts in any order (host/engine/engine.hpp).
+    virtual void take(const Frame& part) = 0;
+};
 
-/// Renders. A window whose frame would be large in memory is rendered in bands if `take` is given;
-/// natively only. Throws Error: an output is an input (2), the scene is wrong (3), a file cannot be
-/// read (4), the machine is too small (5). Nothing outside of the result is touched, so that any
-/// number of renders may run at a time in threads of one process.
+/// Renders. Without a taker the result has the whole frame, 64 bytes a pixel. Throws Error: an
+/// output is an input (2), the scene is wrong (3), a file cannot be read (4), the machine is too
+/// small (5). Nothing outside of the result is touched, so that any number of renders may run at a
+/// time in threads of one process.
 [[nodiscard]] RenderResult render(const RenderRequest& request, const RunControl& control,
-                                  const TakeBand& take = nullptr);
+                                  PictureTaker* taker = nullptr);
 
 /// The same path up to the engine. Throws Error: the scene is wrong (3), a file cannot be read (4).
 [[nodiscard]] CompiledScene compiled_scene_of(const RenderRequest& request);

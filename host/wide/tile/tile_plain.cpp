@@ -1,6 +1,4 @@
 // Tiles of scenes with one ray a pixel, cells and lights alone: nothing is to be added up.
-#include <hwy/highway.h>
-
 #include <algorithm>
 #include <bit>
 
@@ -11,7 +9,7 @@ namespace pxm::host::wide {
 
 void TileTracer::render_plainly() {
     place_ = scene_.samples[0];
-    aim_at_tile(work_.packet, scene_.camera, frame_.crop, left_, top_, place_);
+    aim_at_tile(work_.packet, scene_.camera, frame_->crop, left_, top_, place_);
     const std::uint64_t inside = work_.packet.inside;  // shadows are a packet of their own
     const auto objects = static_cast<std::uint32_t>(wide_.objects.size());
     if (!search_packet(wide_, work_)) {
@@ -60,18 +58,11 @@ void TileTracer::render_plainly() {
     });
 }
 
-/// A whole tile of background: its records go to memory past the caches, where nothing reads them.
+/// A whole tile of background.
 void TileTracer::see_nothing() {
-    namespace hn = hwy::HWY_NAMESPACE;
-    const hn::ScalableTag<std::uint8_t> d;
-    constexpr std::size_t row_bytes = tile_side * sizeof(PixelRecord);
     for (int row = 0; row < tile_side; ++row) {
-        const auto first = static_cast<std::size_t>(row * tile_side);
-        const auto* from = reinterpret_cast<const std::uint8_t*>(&nothing_seen_[first]);
-        auto* to = reinterpret_cast<std::uint8_t*>(&frame_.at(left_, top_ + row));
-        for (std::size_t i = 0; i < row_bytes; i += hn::Lanes(d)) {
-            hn::Stream(hn::Load(d, from + i), d, to + i);
-        }
+        std::copy_n(&nothing_seen_[static_cast<std::size_t>(row * tile_side)], tile_side,
+                    &frame_->at(left_, top_ + row));
     }
     rays_.pixels += packet_rays;
     rays_.eye_rays += packet_rays;

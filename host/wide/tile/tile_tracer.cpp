@@ -1,7 +1,5 @@
 #include "host/wide/tile/tile_tracer.hpp"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -14,12 +12,10 @@
 namespace pxm::host::wide {
 
 TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide,
-                       const ReferenceFallback& rest, const std::vector<std::uint32_t>& block,
-                       Frame& frame)
+                       const ReferenceFallback& rest, const std::vector<std::uint32_t>& block)
     : scene_(scene),
       wide_(wide),
       block_(block),
-      frame_(frame),
       node_(make_native_node<Node>(scene, block)),
       heap_(node_),
       constants_(kernels::read_frame_constants(node_)),
@@ -45,7 +41,8 @@ TileTracer::TileTracer(const CompiledScene& scene, const WideScene& wide,
     prepare_places();
 }
 
-void TileTracer::render(long left, long top, const GoOn& go_on) {
+void TileTracer::render(Frame& frame, long left, long top, const GoOn& go_on) {
+    frame_ = &frame;
     left_ = left;
     top_ = top;
     unclear_ = 0;
@@ -61,14 +58,9 @@ void TileTracer::render(long left, long top, const GoOn& go_on) {
     store();
 }
 
-RayStatistics TileTracer::finish() {
-    hwy::FlushStream();
-    return rays_;
-}
-
 void TileTracer::aim(std::size_t sample) {
     place_ = scene_.samples[sample];
-    aim_at_tile(work_.packet, scene_.camera, frame_.crop, left_, top_, place_);
+    aim_at_tile(work_.packet, scene_.camera, frame_->crop, left_, top_, place_);
     work_.packet.inside &= ~unclear_;
     const double share = 1.0 / static_cast<double>(scene_.samples.size());
     for_bits(work_.packet.inside, [&](int pixel) {
@@ -256,7 +248,7 @@ void TileTracer::see_plane(Kind kind, int i) {
 }
 
 void TileTracer::store() {
-    aim_at_tile(work_.packet, scene_.camera, frame_.crop, left_, top_, scene_.samples[0]);
+    aim_at_tile(work_.packet, scene_.camera, frame_->crop, left_, top_, scene_.samples[0]);
     for_bits(work_.packet.inside, [&](int i) {
         const PixelSum& sum = sums_[static_cast<std::size_t>(i)];
         if ((unclear_ >> i & 1) != 0) return render_clearly(i, sum.tested);

@@ -35,13 +35,13 @@ class TileTracer {
   public:
     /// `block` is the scene block in double. All must outlive the tracer.
     TileTracer(const CompiledScene& scene, const WideScene& wide, const ReferenceFallback& rest,
-               const std::vector<std::uint32_t>& block, Frame& frame);
+               const std::vector<std::uint32_t>& block);
 
     /// Renders those of the tile's pixels that lie in the frame.
-    void render(long left, long top, const GoOn& go_on);
+    void render(Frame& frame, long left, long top, const GoOn& go_on);
 
-    /// After the last tile: all pixels are in memory. What their rays added up to.
-    [[nodiscard]] RayStatistics finish();
+    /// What the rays added up to.
+    [[nodiscard]] const RayStatistics& finish() const { return rays_; }
 
   private:
     using Node = NativeNode<double>;
@@ -125,7 +125,7 @@ class TileTracer {
     [[nodiscard]] double length_at(int lane, double depth) const;
     [[nodiscard]] double depth_at(int lane, double length) const;
     [[nodiscard]] PixelRecord& pixel_at(int pixel) {
-        return frame_.at(left_ + pixel % tile_side, top_ + pixel / tile_side);
+        return frame_->at(left_ + pixel % tile_side, top_ + pixel / tile_side);
     }
     void give_up(int pixel) { unclear_ |= std::uint64_t{1} << pixel; }
 
@@ -133,7 +133,7 @@ class TileTracer {
     const CompiledScene& scene_;
     const WideScene& wide_;
     const std::vector<std::uint32_t>& block_;
-    Frame& frame_;
+    Frame* frame_ = nullptr;  // of the tile
     Node node_;
     kernels::Heap<Node> heap_;
     kernels::FrameConstants<double> constants_;

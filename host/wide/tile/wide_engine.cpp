@@ -15,15 +15,12 @@ class LoadedWideScene : public LoadedScene {
         block_ = make_scene_block<double>(scene);
     }
 
-    EngineResult run(const CropWindow& window, const RunControl& control) override {
-        EngineResult result;
-        result.frame = Frame(scene_.size, window);
-        run_tiles(blocks_of_tiles(window, wide_.candidate_view_side, threads_), threads_, control,
-                  result, [&] {
-                      return std::make_unique<TileTracer>(scene_, wide_, rest_, block_,
-                                                          result.frame);
-                  });
-        return result;
+    using LoadedScene::run;
+    EngineResult run(const CropWindow& window, const RunControl& control,
+                     const BlockTaker* taker) override {
+        return run_tiles(
+            {scene_.size, window, wide_.candidate_view_side, threads_}, control, taker,
+            [&] { return std::make_unique<TileTracer>(scene_, wide_, rest_, block_); });
     }
 
   private:

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "host/output/image.hpp"
+#include "host/files/image_reader.hpp"
 #include "tests/support/command.hpp"
 
 namespace pxm::test {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "host/files/image_reader.hpp"
 #include "host/node_program/module_table.hpp"
 #include "host/scene/check/limits.hpp"
 #include "host/scene/parse/parser.hpp"

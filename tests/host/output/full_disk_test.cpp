@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/error.hpp"
+#include "host/files/image_reader.hpp"
 #include "host/output/image.hpp"
 #include "tests/support/file_size_limit.hpp"
 #include "tests/support/folder.hpp"
@@ -32,7 +33,7 @@ Frame noise(long columns, long rows) {
 
 /// As a render writes it: in bands.
 void write_in_bands(const std::string& path, const Frame& frame) {
-    ImageWriter writer(path, {frame.columns(), frame.rows()}, {}, {});
+    ImageWriter writer(path, frame.crop, {}, {});
     for (long top = 0; top < frame.rows(); top += 8) {
         Frame band(frame.size, {0, top, frame.columns(), std::min(top + 8, frame.rows())});
         for (std::size_t i = 0; i < band.pixels.size(); ++i)

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
 #include "host/error.hpp"
+#include "host/files/image_reader.hpp"
 #include "tests/support/folder.hpp"
 
 namespace pxm::host {
@@ -32,26 +32,6 @@ Frame numbered_frame() {
         pixel.cycles = static_cast<std::uint64_t>(n += 1);
     }
     return frame;
-}
-
-TEST(Srgb, the_curve_is_that_of_IEC_61966) {
-    EXPECT_EQ(srgb_from_linear(0), 0);
-    EXPECT_NEAR(srgb_from_linear(1), 1, 1e-6);
-    EXPECT_NEAR(srgb_from_linear(0.002F), 12.92 * 0.002, 1e-7);
-    EXPECT_NEAR(srgb_from_linear(0.18F), 0.461356, 1e-6);
-    EXPECT_NEAR(srgb_from_linear(0.5F), 0.735357, 1e-6);
-    constexpr float knee = 0.0031308F;
-    EXPECT_NEAR(srgb_from_linear(std::nextafter(knee, 1.0F)), srgb_from_linear(knee), 1e-6);
-}
-
-TEST(Srgb, the_curve_rises_and_clips_what_no_screen_shows) {
-    for (int i = 0; i < 1000; ++i) {
-        const auto x = static_cast<float>(i);
-        EXPECT_LT(srgb_from_linear(x / 1000), srgb_from_linear((x + 1) / 1000));
-    }
-    EXPECT_EQ(srgb_from_linear(-3), 0);
-    EXPECT_EQ(srgb_from_linear(7), srgb_from_linear(1));
-    EXPECT_EQ(srgb_from_linear(infinity), srgb_from_linear(1));
 }
 
 TEST(Image, an_exr_gives_back_every_channel_and_the_metadata) {

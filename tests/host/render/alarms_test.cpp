@@ -46,6 +46,63 @@ RenderResult parallel(double zoom, Numeric numeric) {
         request);
 }
 
+/// The picture in two parts, above and below a row.
+std::pair<Frame, Frame> cut(const Frame& whole, long row) {
+    const CropWindow& w = whole.crop;
+    std::pair<Frame, Frame> parts{Frame(whole.size, {w.x0, w.y0, w.x1, row}),
+                                  Frame(whole.size, {w.x0, row, w.x1, w.y1})};
+    for (long y = w.y0; y < w.y1; ++y)
+        for (long x = w.x0; x < w.x1; ++x)
+            (y < row ? parts.first : parts.second).at(x, y) = whole.at(x, y);
+    return parts;
+}
+
+TEST(AlarmTally, does_not_depend_on_the_parts_that_a_picture_comes_in) {
+    RenderRequest request;
+    request.scene_text =
+        std::string(test::tetra_text) + "camera { eye: 0,1,-3 look: 0,1,0 orthographic: 1 }";
+    request.overrides.size = PixelSize{16, 12};
+    request.overrides.zoom = 1e5;
+    request.overrides.numeric = Numeric::single;
+    request.overrides.intersect = IntersectMethod::heap;
+    const CompiledScene scene = compiled_scene_of(request);
+    Frame frame({16, 12}, {0, 0, 16, 12});
+    // Half of the pixels see a far cell, one of the last row a near one.
+    for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+        if (i % 2 == 0) continue;
+        frame.pixels[i].level = 3;
+        frame.pixels[i].object = 0;
+        frame.pixels[i].z = i == frame.pixels.size() - 1 ? 0.5F : 3.0F;
+        frame.pixels[i].alarms = i % 3 == 0 ? alarm_capped : 0;
+    }
+    for (const Numeric numeric : {Numeric::single, Numeric::double_}) {
+        AlarmTally whole(scene, numeric);
+        whole.add(frame);
+        for (const long row : {1, 6, 11}) {
+            const auto [above, below] = cut(frame, row);
+            AlarmTally parts(scene, numeric);
+            parts.add(below);
+            parts.add(above);
+            for (std::size_t i = 0; i < whole.alarms().size(); ++i) {
+                EXPECT_EQ(parts.alarms()[i].count, whole.alarms()[i].count)
+                    << whole.alarms()[i].name << " " << row;
+            }
+        }
+        Frame marked = frame;
+        whole.mark(marked);
+        std::uint64_t capped = 0, precision = 0;
+        for (const PixelRecord& pixel : marked.pixels) {
+            capped += (pixel.alarms & alarm_capped) != 0 ? 1 : 0;
+            precision += (pixel.alarms & alarm_precision) != 0 ? 1 : 0;
+        }
+        for (const Alarm& alarm : whole.alarms()) {
+            if (alarm.name == "capped") EXPECT_EQ(alarm.count, capped);
+            if (alarm.name == "precision") EXPECT_EQ(alarm.count, precision);
+        }
+        EXPECT_EQ(capped, 32U);
+    }
+}
+
 TEST(Alarms, an_ordinary_view_raises_none) {
     for (const Numeric numeric : {Numeric::dsp32, Numeric::single, Numeric::double_}) {
         const RenderResult result = tetra_at(1, numeric);

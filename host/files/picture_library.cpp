@@ -1,0 +1,75 @@
+#include "host/files/picture_library.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <future>
+#include <mutex>
+#include <vector>
+
+#include "host/error.hpp"
+#include "host/files/picture_module.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the module may lie: beside the program, as it is built and installed, or where it was
+/// built, for programs elsewhere that use pxm as a library.
+std::vector<fs::path> module_places() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    std::vector<fs::path> places;
+    if (!error) places.push_back(program.parent_path().parent_path() / "lib/pxm" / picture_module);
+    places.push_back(fs::path(PXM_MODULE_FOLDER) / picture_module);
+    return places;
+}
+
+PictureLibrary* load() {
+    std::string why;
+    for (const fs::path& place : module_places()) {
+        // Lazy: of the many thousand functions that it brings, a picture calls few.
+        void* module = dlopen(place.c_str(), RTLD_LAZY | RTLD_LOCAL);
+        void* make = module ? dlsym(module, picture_module_function) : nullptr;
+        if (make != nullptr) return reinterpret_cast<PictureModuleFunction*>(make)();
+        if (why.empty()) why = dlerror();
+    }
+    throw Error(ErrorKind::failed,
+                fmt::format("OpenImageIO, for pictures other than PNG, cannot be loaded: {}", why));
+}
+
+/// OpenImageIO adds to the path of its plug-ins whatever is set here.
+void forget_plugins() { ::unsetenv("OIIO_LIBRARY_PATH"); }
+
+std::future<void>& loading() {
+    static std::future<void> loading;
+    return loading;
+}
+
+}  // namespace
+
+PictureLibrary& picture_library() {
+    static PictureLibrary& library = []() -> PictureLibrary& {
+        forget_plugins();
+        return *load();
+    }();
+    return library;
+}
+
+void begin_loading_picture_library() {
+    forget_plugins();
+    // What fails here fails again, and is told, where the library is used.
+    loading() = std::async(std::launch::async, [] {
+        try {
+            (void)picture_library();
+        } catch (const std::exception&) {
+            return;
+        }
+    });
+}
+
+}  // namespace pxm::host
