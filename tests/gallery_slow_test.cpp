@@ -17,16 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The words of a command, small: its size, window and number of samples are left out. What is a
-/// path from the top of the tree is given whole.
+/// The words of a command, small: its size, window and number of samples are left out, and of its
+/// frames there is the first. What is a path from the top of the tree is given whole.
 Arguments small(const std::string& command) {
     std::istringstream words(command);
     Arguments arguments;
     for (std::string word; words >> word;) {
-        if (word == "--size" || word == "--crop" || word == "--samples")
+        if (word == "--size" || word == "--crop" || word == "--samples" || word == "-o") {
             words >> word;
-        else
+        } else if (word == "--frames") {
+            words >> word;
+            arguments.insert(arguments.end(), {"--frames", "0"});
+        } else {
             arguments.push_back(word);
+        }
     }
     for (std::string& word : arguments)
         if (fs::exists(fs::path(source_dir) / word)) word = source_dir + "/" + word;

@@ -3,13 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "host/commands/cmd.hpp"
 #include "host/commands/option_checks.hpp"
+#include "host/commands/render_frames.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/output/cost_model_json.hpp"
@@ -18,6 +18,7 @@
 #include "host/output/statistics_json.hpp"
 #include "host/process/granted_threads.hpp"
 #include "host/process/interrupt.hpp"
+#include "host/process/phase_clock.hpp"
 #include "host/process/progress.hpp"
 #include "host/process/terminal.hpp"
 #include "host/render/render.hpp"
@@ -45,6 +46,7 @@ struct RenderArguments {
     std::optional<long> heap;
     std::optional<double> detail;
     double zoom = 1;
+    std::string frames, format;
     bool quiet = false;
 };
 
@@ -157,52 +159,91 @@ ExitCode explain(const RenderArguments& arguments) {
     return ExitCode::done;
 }
 
-ExitCode render_picture(const RenderArguments& arguments) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto seconds = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
-    if (!arguments.cost_model.empty() && arguments.machine.empty()) {
+std::vector<Aov> aovs_of(const RenderArguments& arguments) {
+    const auto aovs = arguments.aov.empty() ? std::vector<Aov>{} : parse_aovs(arguments.aov);
+    if (arguments.machine.empty() && std::ranges::find(aovs, Aov::cycles) != aovs.end()) {
         throw Error(ErrorKind::setting,
-                    "--cost-model: cycles are counted on the machine only (--machine MODEL)");
+                    "--aov cycles: cycles are counted on the machine only (--machine MODEL)");
     }
+    return aovs;
+}
+
+/// Renders one picture into its file; nothing is written if it was stopped.
+RenderResult write_picture(const RenderArguments& arguments, const RenderRequest& request,
+                           const std::string& out, const RunControl& control) {
+    PhaseClock clock;
+    const std::vector<Aov> aovs = aovs_of(arguments);
+    PictureToFile picture(arguments, out, aovs);
+    RenderResult result = render(request, control, &picture);
+    if (result.stopped) return result;
+    PhaseClock write_clock;
+    picture.finish();
+    PhaseSeconds& phases = result.statistics.seconds;
+    phases.write = write_clock.lap();
+    phases.total = clock.lap();
+    return result;
+}
+
+void tell_summary(const std::string& out, const RenderResult& result) {
+    const PhaseSeconds& seconds = result.statistics.seconds;
+    tell(fmt::format("{}: {}x{} in {:.2f} s ({:.2f} Mray/s)\n", printable_path(out),
+                     result.window.x1 - result.window.x0, result.window.y1 - result.window.y0,
+                     seconds.total,
+                     static_cast<double>(result.statistics.rays.eye_rays) / seconds.render / 1e6));
+}
+
+ExitCode render_picture(const RenderArguments& arguments) {
     RenderRequest request = request_of(arguments);
     const std::string out = arguments.out.empty() ? default_out(arguments.scene) : arguments.out;
-    const auto aovs = arguments.aov.empty() ? std::vector<Aov>{} : parse_aovs(arguments.aov);
-    require_image_format(out, aovs);
-    if (!request.machine && std::ranges::find(aovs, Aov::cycles) != aovs.end()) {
-        throw Error(ErrorKind::setting,
-                    "--aov cycles: cycles are counted on the machine only "
-                    "(--machine MODEL)");
-    }
+    require_image_format(out, aovs_of(arguments));
     request.outputs = outputs_of(arguments, out);
-
     RenderResult result;
-    PictureToFile picture(arguments, out, aovs);
     {
         Progress progress(arguments.quiet);
         RunControl control;
         control.stop = &stop_requested();
         if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
-        result = render(request, control, &picture);
+        result = write_picture(arguments, request, out, control);
     }
     if (result.stopped) return exit_code_of_signal(received_signal());
     tell(result.warnings);
-    const double before_end = seconds();
-    picture.finish();
-    PhaseSeconds& phases = result.statistics.seconds;
-    phases.write = seconds() - before_end;
-    phases.total = seconds();
     if (!arguments.stats.empty()) {
         write_text_safely(arguments.stats, statistics_json(result.statistics));
     }
-    if (!arguments.quiet) {
-        tell(fmt::format(
-            "{}: {}x{} in {:.2f} s ({:.2f} Mray/s)\n", printable_path(out),
-            result.window.x1 - result.window.x0, result.window.y1 - result.window.y0, phases.total,
-            static_cast<double>(result.statistics.rays.eye_rays) / phases.render / 1e6));
-    }
+    if (!arguments.quiet) tell_summary(out, result);
     return ExitCode::done;
+}
+
+/// What --frames, or frames on the standard output, make of it.
+ExitCode render_film(const RenderArguments& arguments) {
+    FilmJob job;
+    job.request = request_of(arguments);
+    job.frames = arguments.frames;
+    job.out = arguments.out;
+    job.format = arguments.format;
+    job.stats = arguments.stats;
+    job.quiet = arguments.quiet;
+    const std::vector<Aov> aovs = aovs_of(arguments);
+    job.require_picture = [&arguments, aovs](const std::string& out) {
+        require_image_format(out, aovs);
+        (void)outputs_of(arguments, out);
+    };
+    job.write_picture = [&](const RenderRequest& request, const std::string& out,
+                            const RunControl& control) {
+        return write_picture(arguments, request, out, control);
+    };
+    return render_frames(job);
+}
+
+ExitCode render_command(const RenderArguments& arguments) {
+    if (!arguments.cost_model.empty() && arguments.machine.empty()) {
+        throw Error(ErrorKind::setting,
+                    "--cost-model: cycles are counted on the machine only (--machine MODEL)");
+    }
+    if (!arguments.pixel.empty()) return explain(arguments);
+    if (!arguments.frames.empty() || !arguments.format.empty() || arguments.out == "-")
+        return render_film(arguments);
+    return render_picture(arguments);
 }
 
 }  // namespace
@@ -240,6 +281,10 @@ AddedCommand add_render_command(CommandLine& line) {
     command.add_option("--detail", a->detail, "Cells are terminal at so many pixels")
         .transform(positive_number());
     command.add_option("--heap", a->heap, "Entries of the heap").transform(whole_number(1, 65536));
+    command.add_option("--frames", a->frames,
+                       "Frames of an animation: 0-599, 0-599:10, 3,7,20-30; to "
+                       "-o frames/%04d.png, film.mp4, film.webm, film.gif, or - with --format");
+    command.add_option("--format", a->format, "With -o -: y4m or ppm, frame after frame");
     command.add_option("--aov", a->aov,
                        "Extra EXR channels: Z,node,cycles,volumes,level,heap,"
                        "alpha,object,word,N");
@@ -247,7 +292,7 @@ AddedCommand add_render_command(CommandLine& line) {
     command.add_flag("--quiet", a->quiet, "No progress bar, no summary");
     add_allow_option(command, a->allowed);
     command.check_all(some_text());
-    return {command, [a] { return a->pixel.empty() ? render_picture(*a) : explain(*a); }};
+    return {command, [a] { return render_command(*a); }};
 }
 
 }  // namespace pxm::host

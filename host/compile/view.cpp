@@ -29,7 +29,9 @@ double fitting_distance(double radius, double half_width, const PixelSize& size)
 
 }  // namespace
 
-View make_view(const CameraBlock& camera, const PixelSize& size, const Ball& ball, double zoom) {
+View make_view(const CameraBlock& camera, const PixelSize& size, const Ball& ball,
+               double outer_zoom) {
+    const double zoom = outer_zoom * camera.zoom.value_or(1);
     View view;
     view.orthographic = camera.orthographic.has_value();
     const double fov = camera.fov.value_or(default_fov_degrees);

@@ -26,7 +26,7 @@ struct View {
 /// looking at the ball's centre from the direction (0.4, 0.5, -1) at the distance where it just
 /// fits with a tenth of margin, up (0,1,0).
 [[nodiscard]] View make_view(const CameraBlock& camera, const PixelSize& size, const Ball& ball,
-                             double zoom);
+                             double outer_zoom);
 
 /// p at a distance from the eye, world units (Eq. 15.2).
 [[nodiscard]] double pixel_size(const View& view, const PixelSize& size, double distance);

@@ -213,6 +213,16 @@ std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Fra
     return tally.alarms();
 }
 
+void recount(std::vector<Alarm>& alarms, const Frame& marked) {
+    constexpr std::array bits{alarm_precision, alarm_floored, alarm_capped, alarm_not_finite,
+                              alarm_overflow};  // in the order of AlarmTally::alarms()
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+        alarms[i].count = static_cast<std::uint64_t>(std::ranges::count_if(
+            marked.pixels,
+            [&](const PixelRecord& pixel) { return (pixel.alarms & bits[i]) != 0; }));
+    }
+}
+
 std::string alarm_text(const std::vector<Alarm>& alarms) {
     std::string text;
     for (const Alarm& alarm : alarms) {

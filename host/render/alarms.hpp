@@ -69,6 +69,9 @@ class AlarmTally {
 [[nodiscard]] std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric,
                                               Frame& frame);
 
+/// Counts the pixels anew by their marks, each alarm once a pixel.
+void recount(std::vector<Alarm>& alarms, const Frame& marked);
+
 /// The lines for stderr: one for each alarm that counts anything.
 [[nodiscard]] std::string alarm_text(const std::vector<Alarm>& alarms);
 

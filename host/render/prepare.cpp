@@ -22,10 +22,10 @@ IntersectChoice choose_intersect(IntersectMethod asked, const std::string& why_n
                                        : "a native render in float whose objects it can do"};
 }
 
-Scene scene_of(const RenderRequest& request, Diagnostics& diagnostics) {
+Scene parsed(const RenderRequest& request, Diagnostics& diagnostics) {
     if (!request.scene) {
         return parse_scene(request.scene_path, request.settings, diagnostics, request.allowed,
-                           request.scene_text);
+                           request.scene_text, request.frame);
     }
     if (!request.settings.empty()) {
         throw Error(ErrorKind::setting,
@@ -40,7 +40,7 @@ Prepared prepare(const RenderRequest& request) {
     PhaseClock clock;
     Prepared prepared;
     Diagnostics diagnostics;
-    prepared.scene = scene_of(request, diagnostics);
+    prepared.scene = parsed(request, diagnostics);
     if (!diagnostics.has_errors()) {
         apply(request.overrides, prepared.scene);
         check_scene(prepared.scene, diagnostics);
@@ -49,12 +49,27 @@ Prepared prepare(const RenderRequest& request) {
     if (!diagnostics.has_errors()) {
         prepared.compiled = compile(prepared.scene, request.overrides.zoom, diagnostics);
     }
+    if (request.only_sample && !diagnostics.has_errors()) {
+        std::vector<glm::dvec2>& samples = prepared.compiled.samples;
+        samples = {samples.at(static_cast<std::size_t>(*request.only_sample))};
+    }
     if (request.cell_cap) prepared.compiled.cell_cap = *request.cell_cap;
     diagnostics.throw_if_errors(prepared.scene.files);
     prepared.warnings = diagnostics.warnings_text(prepared.scene.files);
     if (!prepared.warnings.empty()) prepared.warnings += '\n';
     prepared.compile_seconds = clock.lap();
     return prepared;
+}
+
+Scene scene_of(const RenderRequest& request) {
+    Diagnostics diagnostics;
+    Scene scene = parsed(request, diagnostics);
+    if (!diagnostics.has_errors()) {
+        apply(request.overrides, scene);
+        check_scene(scene, diagnostics);
+    }
+    diagnostics.throw_if_errors(scene.files);
+    return scene;
 }
 
 Numeric numeric_of(const Prepared& prepared, const RenderRequest& request) {

@@ -14,6 +14,7 @@
 #include "host/output/spared_inputs.hpp"
 #include "host/process/phase_clock.hpp"
 #include "host/render/alarms.hpp"
+#include "host/render/exposure.hpp"
 #include "host/render/prepare.hpp"
 #include "host/scene/words.hpp"
 #include "host/wide/tile/wide_engine.hpp"
@@ -100,6 +101,8 @@ RenderResult render(const RenderRequest& request, const RunControl& control, Pic
     PhaseClock clock;
     const Prepared prepared = prepare(request);
     require_spared(request.outputs, inputs_of(prepared.scene));
+    if (has_exposure(request, prepared.scene))
+        return render_exposure(request, prepared.scene, control, taker);
     const NodeProgram program = link(prepared.compiled);
     if (request.machine) require_fit(program, std::string(request.machine->name));
     const IntersectChoice intersect = intersect_of(prepared, request);

@@ -44,11 +44,13 @@ struct RenderRequest {
     std::optional<Scene> scene = {};
     Settings settings;                      // of the scene, under the overrides
     std::vector<std::string> allowed = {};  // folders beside the scene's own (--allow)
+    double frame = 0;  // of the scene's animation, from 0; its text is read for this one
     SceneOverrides overrides;
     const Model* machine = nullptr;  // null: native
     int threads = 1;
     std::string threads_because;             // why so many: for the statistics
     CostModel costs = default_cost_model();  // of the machine
+    std::optional<long> only_sample;         // of an open shutter: one of the samples of all pixels
     std::optional<std::uint32_t> cell_cap;   // of studies; absent: that of CompiledScene
     std::vector<std::string> outputs;  // to be written: none may be what the scene is read from
 };
@@ -84,6 +86,10 @@ class PictureTaker {
 /// time in threads of one process.
 [[nodiscard]] RenderResult render(const RenderRequest& request, const RunControl& control,
                                   PictureTaker* taker = nullptr);
+
+/// The scene of a request with its overrides, checked and not compiled: what an animation's first
+/// frame says of all. Throws as render().
+[[nodiscard]] Scene scene_of(const RenderRequest& request);
 
 /// The same path up to the engine. Throws Error: the scene is wrong (3), a file cannot be read (4).
 [[nodiscard]] CompiledScene compiled_scene_of(const RenderRequest& request);

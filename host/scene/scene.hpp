@@ -58,19 +58,32 @@ struct TetrahedronCommand {
     std::array<glm::dvec3, 4> to;
     bool operator==(const TetrahedronCommand&) const = default;
 };
-using CommandKind =
-    std::variant<ScaleCommand, RotateCommand, TranslateCommand, MatrixCommand, TetrahedronCommand>;
-struct Command {
-    CommandKind kind;
-    Position position;
-    bool operator==(const Command&) const = default;
-};
-
 /// A reference to a map: its name, or its number from 1.
 struct MapReference {
     std::variant<std::string, long> map;
     Position position;
     bool operator==(const MapReference&) const = default;
+};
+
+/// Between two maps of the scene. A text that is read becomes a MatrixCommand of it
+/// (host/scene/parse/resolve_blends.hpp): scenes elsewhere have none.
+struct BlendEnd {
+    std::string ifs;  // empty: the map's own
+    MapReference map;
+    bool operator==(const BlendEnd&) const = default;
+};
+struct BlendCommand {
+    BlendEnd from;
+    BlendEnd to;
+    double share = 0;  // 0: `from`
+    bool operator==(const BlendCommand&) const = default;
+};
+using CommandKind = std::variant<ScaleCommand, RotateCommand, TranslateCommand, MatrixCommand,
+                                 TetrahedronCommand, BlendCommand>;
+struct Command {
+    CommandKind kind;
+    Position position;
+    bool operator==(const Command&) const = default;
 };
 
 struct MapBlock {
@@ -199,6 +212,7 @@ struct CameraBlock {
     std::optional<glm::dvec3> up;
     std::optional<double> fov;           // degrees, horizontal
     std::optional<double> orthographic;  // width in world units
+    std::optional<double> zoom;          // the eye moves to look + (eye - look) / zoom
     Position position;
     bool operator==(const CameraBlock&) const = default;
 };
@@ -223,6 +237,15 @@ struct ImageBlock {
     std::optional<CropWindow> crop;
     Position position;
     bool operator==(const ImageBlock&) const = default;
+};
+
+/// A film: `t` and `frame` in expressions are those of one of its frames when the text is read.
+struct AnimationBlock {
+    long frames = 1;
+    double rate = 25;    // frames a second
+    double shutter = 0;  // the share of a frame's time that its samples are spread over
+    Position position;
+    bool operator==(const AnimationBlock&) const = default;
 };
 
 enum class Shading { constant, low_pass, high_pass, facet };
@@ -278,12 +301,13 @@ struct Scene {
     std::optional<CameraBlock> camera;
     std::optional<ImageBlock> image;
     std::optional<RenderBlock> render;
+    std::optional<AnimationBlock> animation;
 
     /// The same whatever files it was read from: an include leaves no trace.
     bool operator==(const Scene& other) const {
         const auto blocks = [](const Scene& s) {
             return std::tie(s.ifs, s.objects, s.planes, s.textures, s.lights, s.camera, s.image,
-                            s.render);
+                            s.render, s.animation);
         };
         return blocks(*this) == blocks(other);
     }

@@ -95,8 +95,11 @@ void BlockSetter::set(const Setting& setting) {
         const std::string help = suggest_block(kind);
         fail(fmt::format(
             "there is no kind of block '{}'{}", printable(kind),
-            help.empty() ? " (ifs, object, plane, texture, light, camera, image, render)" : help));
+            help.empty() ? " (ifs, object, plane, texture, light, camera, image, render, animation)"
+                         : help));
     }
+    if (kind == "animation" && key_.back() == "frames")
+        fail("t depends on it: name the number of frames by a 'let' and set that");
     const std::size_t most = grammar->kind == "ifs" ? 4 : 3;
     if (key_.size() > most || std::ranges::find(key_, "") != key_.end())
         fail(fmt::format("expected {}.DIRECTIVE or {}.NAME.DIRECTIVE", kind, kind));
@@ -126,6 +129,7 @@ void BlockSetter::set(const Setting& setting) {
     if (kind == "camera") read(&only(scene_.camera));
     if (kind == "image") read(&only(scene_.image));
     if (kind == "render") read(&only(scene_.render));
+    if (kind == "animation") read(&only(scene_.animation));
 }
 
 /// As if the map were the last one that was read.

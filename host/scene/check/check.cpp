@@ -85,6 +85,7 @@ void check_scene(const Scene& scene, Diagnostics& diagnostics) {
     if (scene.camera) check_camera(*scene.camera, diagnostics);
     if (scene.image) check_image(*scene.image, diagnostics);
     if (scene.render) check_render(*scene.render, diagnostics);
+    if (scene.animation) check_animation(*scene.animation, diagnostics);
 }
 
 }  // namespace pxm::host

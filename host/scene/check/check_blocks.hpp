@@ -14,5 +14,6 @@ void check_light(const LightBlock& light, Diagnostics& diagnostics);
 void check_camera(const CameraBlock& camera, Diagnostics& diagnostics);
 void check_image(const ImageBlock& image, Diagnostics& diagnostics);
 void check_render(const RenderBlock& render, Diagnostics& diagnostics);
+void check_animation(const AnimationBlock& animation, Diagnostics& diagnostics);
 
 }  // namespace pxm::host

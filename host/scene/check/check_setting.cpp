@@ -1,4 +1,5 @@
-// plane, texture, light, camera, image, render: values in range and nothing contradictory.
+// plane, texture, light, camera, image, render, animation: values in range and nothing
+// contradictory.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -104,6 +105,7 @@ void check_camera(const CameraBlock& camera, Diagnostics& diagnostics) {
     if (camera.fov && !(*camera.fov > 0 && *camera.fov < 180))
         check.error(fmt::format("'fov' is {}: it must lie between 0 and 180 degrees", *camera.fov));
     check.positive("orthographic", camera.orthographic);
+    check.positive("zoom", camera.zoom);
     if (!camera.eye || !camera.look) return;
     if (same_point(*camera.eye, *camera.look))
         return check.error("'eye' and 'look' are the same point");
@@ -121,6 +123,13 @@ void check_image(const ImageBlock& image, Diagnostics& diagnostics) {
     if (std::min(size.columns, size.rows) >= 1)
         check.within("size", std::max(size.columns, size.rows), 1, image_side_pixels);
     if (image.crop) check_crop(*image.crop, size, check);
+}
+
+void check_animation(const AnimationBlock& animation, Diagnostics& diagnostics) {
+    RangeCheck check(diagnostics, animation.position, "animation");
+    check.within("frames", animation.frames, 1, frames_a_film);
+    check.within("rate", animation.rate, 1e-3, 1e3);
+    check.within("shutter", animation.shutter, 0.0, 1.0);
 }
 
 void check_render(const RenderBlock& render, Diagnostics& diagnostics) {

@@ -11,6 +11,7 @@ inline constexpr long image_side_pixels = 65'536;
 inline constexpr long heap_entries = 65'536;
 inline constexpr long samples_a_pixel = 65'536;
 inline constexpr long mirror_bounces = 64;
+inline constexpr long frames_a_film = 1'000'000;
 inline constexpr int include_depth = 32;
 inline constexpr std::size_t files_a_scene = 1'000;
 inline constexpr std::size_t text_bytes_a_scene = std::size_t{256} << 20U;

@@ -148,13 +148,14 @@ std::string text_of(const Settings& settings) {
 }
 
 Scene parse_scene(const std::string& path, const Settings& settings, Diagnostics& diagnostics,
-                  const std::vector<std::string>& allowed, const std::optional<std::string>& text) {
-    if (settings.empty()) return parse_scene(path, diagnostics, allowed, nullptr, text);
+                  const std::vector<std::string>& allowed, const std::optional<std::string>& text,
+                  double frame) {
+    if (settings.empty()) return parse_scene(path, diagnostics, allowed, nullptr, text, frame);
     LetSettings lets(settings);
     const LetNumber number = [&](const std::string& name, double own) {
         return lets.number(name, own);
     };
-    Scene scene = parse_scene(path, diagnostics, allowed, number, text);
+    Scene scene = parse_scene(path, diagnostics, allowed, number, text, frame);
     if (diagnostics.has_errors()) return scene;
     lets.require_all_found();
     set_blocks(scene, settings, lets.numbers());

@@ -33,6 +33,6 @@ using Settings = std::vector<Setting>;
 [[nodiscard]] Scene parse_scene(const std::string& path, const Settings& settings,
                                 Diagnostics& diagnostics,
                                 const std::vector<std::string>& allowed = {},
-                                const std::optional<std::string>& text = {});
+                                const std::optional<std::string>& text = {}, double frame = 0);
 
 }  // namespace pxm::host

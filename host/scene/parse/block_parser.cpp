@@ -38,6 +38,7 @@ void BlockParser::block() {
     if (kind == "camera") camera();
     if (kind == "image") image();
     if (kind == "render") render();
+    if (kind == "animation") animation();
 }
 
 BlockParser::Head BlockParser::head(const BlockGrammar& grammar) {

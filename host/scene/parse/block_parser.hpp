@@ -20,7 +20,7 @@ void skip_until(TokenReader& tokens, const std::function<bool()>& stop);
 
 /// A block that is there already.
 using AnyBlock = std::variant<IfsBlock*, ObjectBlock*, PlaneBlock*, TextureBlock*, LightBlock*,
-                              CameraBlock*, ImageBlock*, RenderBlock*>;
+                              CameraBlock*, ImageBlock*, RenderBlock*, AnimationBlock*>;
 
 class BlockParser {
   public:
@@ -48,6 +48,7 @@ class BlockParser {
     void camera();
     void image();
     void render();
+    void animation();
 
     void directive_of(IfsBlock& block);
     void directive_of(ObjectBlock& block);
@@ -57,6 +58,7 @@ class BlockParser {
     void directive_of(CameraBlock& block);
     void directive_of(ImageBlock& block);
     void directive_of(RenderBlock& block);
+    void directive_of(AnimationBlock& block);
 
     using Handler = std::function<void(const Token& word)>;
     void body(const BlockGrammar& grammar, const Handler& handler);
@@ -77,6 +79,9 @@ class BlockParser {
     void camera_directive(CameraBlock& camera, const Token& word);
     void image_directive(ImageBlock& image, const Token& word);
     void render_directive(RenderBlock& render, const Token& word);
+    void animation_directive(AnimationBlock& animation, const Token& word);
+    void blend(MapBlock& map, const Token& word);
+    BlendEnd blend_end();
     CoversChoice covers();
     /// Keeps the first of the blocks that a scene may have only once.
     template <class Block>

@@ -46,4 +46,8 @@ void BlockParser::directive_of(RenderBlock& block) {
     render_directive(block, directive_word(*find_block("render")));
 }
 
+void BlockParser::directive_of(AnimationBlock& block) {
+    animation_directive(block, directive_word(*find_block("animation")));
+}
+
 }  // namespace pxm::host

@@ -35,6 +35,7 @@ void BlockParser::map_directive(IfsBlock& ifs, const Token& word) {
         tokens_.fail(word.position,
                      fmt::format("'{}' belongs to a map: expected 'newmap' before it", word.text));
     MapBlock& map = ifs.maps.back();
+    if (word.text == "blend") return blend(map, word);
     if (command(map.commands, word)) return;
     if (word.text == "color") map.color = values_.rgba();
     if (word.text == "weight") map.weight = values_.number();
@@ -77,6 +78,29 @@ bool BlockParser::command(std::vector<Command>& commands, const Token& word) {
         return false;
     }
     return true;
+}
+
+/// It is looked up when the whole text is read (host/scene/parse/resolve_blends.hpp).
+void BlockParser::blend(MapBlock& map, const Token& word) {
+    BlendCommand command;
+    command.from = blend_end();
+    if (tokens_.peek().kind != TokenKind::arrow)
+        tokens_.fail_expected("'->'", "blend: MAP -> MAP, share");
+    tokens_.take();
+    command.to = blend_end();
+    tokens_.expect(',', "blend: MAP -> MAP, share");
+    command.share = values_.number();
+    map.commands.push_back({command, word.position});
+}
+
+/// A map of this ifs, or of the one that is named before it.
+BlendEnd BlockParser::blend_end() {
+    BlendEnd end;
+    const TokenKind second = tokens_.peek_second().kind;
+    const bool two = second == TokenKind::word || second == TokenKind::number;
+    if (tokens_.peek().kind == TokenKind::word && two) end.ifs = values_.name("an ifs");
+    end.map = values_.map_reference();
+    return end;
 }
 
 MatrixCommand BlockParser::matrix() {

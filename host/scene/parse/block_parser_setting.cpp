@@ -1,4 +1,4 @@
-// The blocks around the fractals: plane, texture, light, camera, image, render.
+// The blocks around the fractals: plane, texture, light, camera, image, render, animation.
 #include <fmt/format.h>
 
 #include "host/scene/parse/block_parser.hpp"
@@ -103,6 +103,7 @@ void BlockParser::camera_directive(CameraBlock& camera, const Token& word) {
     if (word.text == "up") camera.up = values_.vec3("'up' takes x,y,z");
     if (word.text == "fov") camera.fov = values_.number();
     if (word.text == "orthographic") camera.orthographic = values_.number();
+    if (word.text == "zoom") camera.zoom = values_.magnification();
 }
 
 void BlockParser::image() {
@@ -160,6 +161,20 @@ void BlockParser::render_directive(RenderBlock& render, const Token& word) {
         render.volume_position = word.position;
         render.volume = values_.word(volume_words);
     }
+}
+
+void BlockParser::animation() {
+    const BlockGrammar& grammar = *find_block("animation");
+    AnimationBlock block;
+    block.position = head(grammar).position;
+    body(grammar, [&](const Token& word) { animation_directive(block, word); });
+    keep_first(scene_.animation, block, grammar.kind);
+}
+
+void BlockParser::animation_directive(AnimationBlock& animation, const Token& word) {
+    if (word.text == "frames") animation.frames = values_.whole_number();
+    if (word.text == "rate") animation.rate = values_.number();
+    if (word.text == "shutter") animation.shutter = values_.number();
 }
 
 CoversChoice BlockParser::covers() {

@@ -41,6 +41,9 @@ struct MapOf {
     Affine operator()(const TranslateCommand& command) const { return translation(command.offset); }
     Affine operator()(const MatrixCommand& command) const { return command.map; }
     Affine operator()(const TetrahedronCommand& command) const { return tetrahedron_map(command); }
+    Affine operator()(const BlendCommand&) const {
+        throw std::domain_error("a blend is of maps of a scene's text");
+    }
 };
 
 }  // namespace

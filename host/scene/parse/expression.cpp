@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "host/scene/parse/grammar.hpp"
+#include "host/scene/parse/keys.hpp"
 #include "host/text/printable.hpp"
 
 namespace pxm::host {
@@ -43,8 +45,8 @@ constexpr std::array<Function, 4> functions{{
 
 class ExpressionParser {
   public:
-    ExpressionParser(TokenReader& tokens, const Constants& constants)
-        : tokens_(tokens), constants_(constants) {}
+    ExpressionParser(TokenReader& tokens, const Constants& constants, Behind behind)
+        : tokens_(tokens), constants_(constants), behind_(behind) {}
 
     double sum() {
         double value = product();
@@ -86,7 +88,8 @@ class ExpressionParser {
             return *value;
         }
         const bool keyword = is_keyword(token.text) && !is_number_word(token.text);
-        if (token.kind != TokenKind::word || keyword || tokens_.peek_second().is(':'))
+        const bool directive = behind_ != Behind::colon && tokens_.peek_second().is(':');
+        if (token.kind != TokenKind::word || keyword || directive)
             tokens_.fail_expected("a number");
         return named(tokens_.take());
     }
@@ -111,11 +114,32 @@ class ExpressionParser {
             return finite(function.compute(argument), word);
         }
         const auto constant = constants_.find(std::string(word.text));
-        if (constant == constants_.end())
+        if (constant == constants_.end()) {
+            if (word.text == "key" && tokens_.peek().is('(')) return key(word);
+            const bool of_time = word.text == "t" || word.text == "frame";
             tokens_.fail(word.position,
-                         fmt::format("expected a number, found '{}', which no 'let' has named",
-                                     printable(word.text)));
+                         fmt::format("expected a number, found '{}', {}", printable(word.text),
+                                     of_time ? "which is known after an 'animation' only"
+                                             : "which no 'let' has named"));
+        }
         return constant->second;
+    }
+
+    double key(const Token& word) {
+        if (++depth_ > nesting_limit)
+            tokens_.fail(word.position,
+                         fmt::format("parentheses nested deeper than {}", nesting_limit));
+        const auto sum_before = [&](Behind behind) {
+            const Behind outer = std::exchange(behind_, behind);
+            const double value = sum();
+            behind_ = outer;
+            return value;
+        };
+        const auto value = read_keys<1>(
+            tokens_, Interpolation::smooth,
+            [&] { return std::array{sum_before(Behind::anything)}; }, sum_before);
+        --depth_;
+        return finite(value[0], word);
     }
 
     double finite(double value, const Token& at) {
@@ -126,13 +150,14 @@ class ExpressionParser {
 
     TokenReader& tokens_;
     const Constants& constants_;
+    Behind behind_;
     int depth_ = 0;
 };
 
 }  // namespace
 
-double parse_expression(TokenReader& tokens, const Constants& constants) {
-    return ExpressionParser(tokens, constants).sum();
+double parse_expression(TokenReader& tokens, const Constants& constants, Behind behind) {
+    return ExpressionParser(tokens, constants, behind).sum();
 }
 
 }  // namespace pxm::host

@@ -16,6 +16,7 @@ constexpr Directive ifs_directives[] = {
     {"matrix", Values::needed, Times::many},      {"tetrahedron", Values::needed, Times::many},
     {"color", Values::needed, Times::once_a_map}, {"weight", Values::needed, Times::once_a_map},
     {"follow", Values::needed, Times::many},      {"start"},
+    {"blend", Values::needed, Times::many},
 };
 constexpr Directive object_directives[] = {
     {"ifs"},
@@ -53,7 +54,7 @@ constexpr Directive light_directives[] = {
     {"shadow"},
 };
 constexpr Directive camera_directives[] = {
-    {"eye"}, {"look"}, {"up"}, {"fov"}, {"orthographic"},
+    {"eye"}, {"look"}, {"up"}, {"fov"}, {"orthographic"}, {"zoom"},
 };
 constexpr Directive image_directives[] = {{"size"}, {"crop"}};
 constexpr Directive render_directives[] = {
@@ -61,14 +62,24 @@ constexpr Directive render_directives[] = {
     {"numeric"}, {"detail"},     {"volume"},  {"lipschitz"}, {"heap"},    {"bounces"},
 };
 
+constexpr Directive animation_directives[] = {{"frames"}, {"rate"}, {"shutter"}};
+
 constexpr BlockGrammar blocks[] = {
-    {"ifs", Naming::needed, ifs_directives},      {"object", Naming::allowed, object_directives},
-    {"plane", Naming::allowed, plane_directives}, {"texture", Naming::needed, texture_directives},
-    {"light", Naming::allowed, light_directives}, {"camera", Naming::allowed, camera_directives},
-    {"image", Naming::none, image_directives},    {"render", Naming::none, render_directives},
+    {"ifs", Naming::needed, ifs_directives},
+    {"object", Naming::allowed, object_directives},
+    {"plane", Naming::allowed, plane_directives},
+    {"texture", Naming::needed, texture_directives},
+    {"light", Naming::allowed, light_directives},
+    {"camera", Naming::allowed, camera_directives},
+    {"image", Naming::none, image_directives},
+    {"render", Naming::none, render_directives},
+    {"animation", Naming::none, animation_directives},
 };
 
 constexpr std::array<std::string_view, 6> number_words{"pi", "phi", "sqrt", "sin", "cos", "tan"};
+
+constexpr std::array<std::string_view, 6> free_words{"animation", "frames", "rate",
+                                                     "shutter",   "zoom",   "blend"};
 
 /// Insertions, deletions, replacements and exchanges of neighbours that turn `a` into `b`.
 int edit_distance(std::string_view a, std::string_view b) {
@@ -123,6 +134,7 @@ bool is_number_word(std::string_view word) {
 }
 
 bool is_keyword(std::string_view word) {
+    if (std::ranges::find(free_words, word) != free_words.end()) return false;
     if (find_block(word) != nullptr || word == "let" || word == "include") return true;
     return is_number_word(word) || std::ranges::any_of(blocks, [&](const BlockGrammar& block) {
                return block.find(word) >= 0;

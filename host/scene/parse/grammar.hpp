@@ -29,7 +29,9 @@ struct BlockGrammar {
 /// The block of that kind (`rifs` is an `ifs`), or nullptr.
 [[nodiscard]] const BlockGrammar* find_block(std::string_view kind);
 
-/// A word of the language that cannot be a name: blocks, directives, functions, pi and phi.
+/// A word of the language that cannot be a name: blocks, directives, functions, pi and phi. Words
+/// of animations (animation, frames, rate, shutter, zoom, blend, key, t, frame) can: scenes had
+/// such names before there were any.
 [[nodiscard]] bool is_keyword(std::string_view word);
 
 /// A keyword that stands for a number or a function: pi, phi, sqrt, sin, cos, tan.

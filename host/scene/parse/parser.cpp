@@ -12,6 +12,7 @@
 #include "host/scene/check/limits.hpp"
 #include "host/scene/check/range_check.hpp"
 #include "host/scene/parse/block_parser.hpp"
+#include "host/scene/parse/resolve_blends.hpp"
 #include "host/scene/picture_path.hpp"
 #include "host/text/printable.hpp"
 
@@ -47,11 +48,13 @@ bool begins_as_scene(const std::string& text) {
 
 class SceneParser {
   public:
-    SceneParser(Diagnostics& diagnostics, const FileReader& reader, const LetNumber& let_number)
-        : diagnostics_(diagnostics), reader_(reader), let_number_(let_number) {}
+    SceneParser(Diagnostics& diagnostics, const FileReader& reader, const LetNumber& let_number,
+                double frame)
+        : diagnostics_(diagnostics), reader_(reader), let_number_(let_number), frame_(frame) {}
 
     Scene parse(const std::string& name, const std::string& text) {
         file(fs::path(name).lexically_normal().string(), name, text);
+        if (!diagnostics_.has_errors()) resolve_blends(scene_, diagnostics_);
         if (!diagnostics_.has_errors() && is_empty(scene_))
             diagnostics_.error({}, "the scene is empty");
         return std::move(scene_);
@@ -62,12 +65,14 @@ class SceneParser {
     void file(const std::string& path, const std::string& name, const std::string& text);
     void top_level(TokenReader& tokens, BlockParser& blocks);
     void let(TokenReader& tokens);
+    void name_time();
     void include(TokenReader& tokens);
     void include_file(TokenReader& tokens, const Token& file_token);
 
     Diagnostics& diagnostics_;
     const FileReader& reader_;
     const LetNumber& let_number_;
+    double frame_;
     Scene scene_;
     Constants constants_;
     std::vector<std::string> open_files_;  // the file being read and those that include it
@@ -101,13 +106,25 @@ void SceneParser::top_level(TokenReader& tokens, BlockParser& blocks) {
     const Token& word = tokens.peek();
     if (word.is_word("let")) return let(tokens);
     if (word.is_word("include")) return include(tokens);
-    if (word.kind == TokenKind::word && find_block(word.text) != nullptr) return blocks.block();
+    if (word.kind == TokenKind::word && find_block(word.text) != nullptr) {
+        blocks.block();
+        return name_time();
+    }
     const Token found = tokens.take();  // so that something is read whatever it is
     std::string message = fmt::format("expected a block, found {}", describe(found));
     if (found.kind == TokenKind::word) message += suggest_block(found.text);
     if (message.back() != ')')
-        message += " (ifs, object, plane, texture, light, camera, image, render, let or include)";
+        message +=
+            " (ifs, object, plane, texture, light, camera, image, render, animation, let or "
+            "include)";
     tokens.fail(found.position, message);
+}
+
+/// After an `animation`, unless a `let` before it has these names.
+void SceneParser::name_time() {
+    if (!scene_.animation) return;
+    constants_.emplace("frame", frame_);
+    constants_.emplace("t", time_of(*scene_.animation, frame_));
 }
 
 void SceneParser::let(TokenReader& tokens) {
@@ -196,19 +213,24 @@ void refuse_pictures_outside(const Scene& scene, const AllowedFolders& folders,
 
 Scene parse_scene(const std::string& path, Diagnostics& diagnostics,
                   const std::vector<std::string>& allowed, const LetNumber& let_number,
-                  const std::optional<std::string>& text) {
+                  const std::optional<std::string>& text, double frame) {
     const AllowedFolders folders(path, allowed);
     const FileReader reader = [&](const std::string& included) {
         return read_file(folders.resolved(included), included);
     };
-    Scene scene = parse_text(path, text ? *text : read_file(path), diagnostics, reader, let_number);
+    Scene scene =
+        parse_text(path, text ? *text : read_file(path), diagnostics, reader, let_number, frame);
     refuse_pictures_outside(scene, folders, diagnostics);
     return scene;
 }
 
 Scene parse_text(const std::string& name, const std::string& text, Diagnostics& diagnostics,
-                 const FileReader& reader, const LetNumber& let_number) {
-    return SceneParser(diagnostics, reader, let_number).parse(name, text);
+                 const FileReader& reader, const LetNumber& let_number, double frame) {
+    return SceneParser(diagnostics, reader, let_number, frame).parse(name, text);
+}
+
+double time_of(const AnimationBlock& animation, double frame) {
+    return animation.frames > 1 ? frame / static_cast<double>(animation.frames - 1) : 0;
 }
 
 }  // namespace pxm::host

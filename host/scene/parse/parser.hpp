@@ -22,17 +22,21 @@ using LetNumber = std::function<double(const std::string& name, double written)>
 /// each); scene.files is filled in either case. An include that cannot be found is a scene error at
 /// its place, and so is one, or the picture of a texture, that lies neither below the scene's
 /// folder nor below one of `allowed`. `let_number` may change the numbers of `let`s. A `text`
-/// stands for what the file holds, which is not read then.
+/// stands for what the file holds, which is not read then. `frame` is that of an animation, and
+/// need not be whole.
 [[nodiscard]] Scene parse_scene(const std::string& path, Diagnostics& diagnostics,
                                 const std::vector<std::string>& allowed = {},
                                 const LetNumber& let_number = nullptr,
-                                const std::optional<std::string>& text = {});
+                                const std::optional<std::string>& text = {}, double frame = 0);
 
 /// Parses text that is in memory; `name` stands in messages. Includes are read through `reader`,
 /// and may lie anywhere.
 [[nodiscard]] Scene parse_text(
     const std::string& name, const std::string& text, Diagnostics& diagnostics,
     const FileReader& reader = [](const std::string& path) { return read_file(path); },
-    const LetNumber& let_number = nullptr);
+    const LetNumber& let_number = nullptr, double frame = 0);
+
+/// The time of a frame: 0 at the first, 1 at the last; of a single one 0.
+[[nodiscard]] double time_of(const AnimationBlock& animation, double frame);
 
 }  // namespace pxm::host

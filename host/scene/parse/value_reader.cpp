@@ -33,6 +33,32 @@ Decimal ValueReader::decimal() {
     return decimal;
 }
 
+double ValueReader::magnification() {
+    if (!tokens_.peek().is_word("key") || !tokens_.peek_second().is('(')) return number();
+    tokens_.take();
+    return read_keys<1>(
+        tokens_, Interpolation::exponential, [&] { return std::array{number()}; },
+        [&](Behind behind) { return parse_expression(tokens_, constants_, behind); })[0];
+}
+
+bool ValueReader::keys_are_points() const {
+    if (!tokens_.peek().is_word("key") || !tokens_.peek_second().is('(')) return false;
+    TokenReader ahead = tokens_;
+    while (ahead.peek().kind != TokenKind::arrow) {
+        if (ahead.take().kind == TokenKind::end) return false;
+    }
+    ahead.take();
+    // A comma inside of the first parentheses makes a point of them.
+    for (long depth = 0; ahead.peek().kind != TokenKind::end;) {
+        const Token token = ahead.take();
+        if (token.is('(')) ++depth;
+        if (token.is(')')) --depth;
+        if (token.is(',') && depth == 1) return true;
+        if (depth <= 0) return false;
+    }
+    return false;
+}
+
 void ValueReader::end_of_list(std::string_view note) {
     if (tokens_.peek().is(','))
         tokens_.fail(tokens_.peek().position, fmt::format("one value too many ({})", note));
@@ -55,6 +81,11 @@ glm::dvec4 ValueReader::rgba() {
 
 DecimalVec3 ValueReader::decimals(std::string_view note) {
     DecimalVec3 values;
+    if (keys_are_points()) {
+        const glm::dvec3 point = vec3(note);
+        for (int i = 0; i < 3; ++i) values[static_cast<std::size_t>(i)] = {point[i], {}};
+        return values;
+    }
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (i > 0) tokens_.expect(',', note);
         values[i] = decimal();
@@ -76,14 +107,8 @@ glm::dvec3 ValueReader::scale_factors() {
 
 glm::dvec3 ValueReader::point() {
     constexpr std::string_view note = "a point is (x,y,z)";
-    glm::dvec3 value{0.0};
-    tokens_.expect('(', note);
-    for (int i = 0; i < 3; ++i) {
-        if (i > 0) tokens_.expect(',', note);
-        value[i] = number();
-    }
-    tokens_.expect(')', note);
-    return value;
+    const auto value = in_parentheses<3>(note);
+    return {value[0], value[1], value[2]};
 }
 
 std::string ValueReader::name(std::string_view what) {

@@ -11,6 +11,7 @@
 
 #include "host/scene/parse/expression.hpp"
 #include "host/scene/parse/grammar.hpp"
+#include "host/scene/parse/keys.hpp"
 #include "host/scene/parse/token_reader.hpp"
 #include "host/scene/scene.hpp"
 #include "host/scene/words.hpp"
@@ -25,6 +26,8 @@ class ValueReader {
     double number() { return parse_expression(tokens_, constants_); }
     /// A number without a fraction.
     long whole_number();
+    /// A number greater than 0 whose keys go exponentially.
+    double magnification();
     /// A number with its text, if it is written plainly: digits with or without a sign.
     Decimal decimal();
 
@@ -32,6 +35,14 @@ class ValueReader {
     template <std::size_t count>
     std::array<double, count> numbers(std::string_view note) {
         std::array<double, count> values{};
+        if (keys_are_points()) {
+            tokens_.take();
+            values = read_keys<count>(
+                tokens_, Interpolation::smooth, [&] { return in_parentheses<count>(note); },
+                [&](Behind behind) { return parse_expression(tokens_, constants_, behind); });
+            end_of_list(note);
+            return values;
+        }
         for (std::size_t i = 0; i < count; ++i) {
             if (i > 0) tokens_.expect(',', note);
             values[i] = number();
@@ -85,6 +96,19 @@ class ValueReader {
     std::string hyphenated();
     static std::string quoted(const std::string& text);
     void end_of_list(std::string_view note);
+    /// Whether key(...) is next, and its values are points.
+    [[nodiscard]] bool keys_are_points() const;
+    template <std::size_t count>
+    std::array<double, count> in_parentheses(std::string_view note) {
+        std::array<double, count> values{};
+        tokens_.expect('(', note);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i > 0) tokens_.expect(',', note);
+            values[i] = number();
+        }
+        tokens_.expect(')', note);
+        return values;
+    }
 
     TokenReader& tokens_;
     const Constants& constants_;

@@ -62,6 +62,12 @@ struct CommandText {
     std::string operator()(const TetrahedronCommand& c) const {
         return fmt::format("tetrahedron: {} -> {}", points_of(c.from), points_of(c.to));
     }
+    std::string operator()(const BlendCommand& c) const {
+        const auto end = [](const BlendEnd& e) {
+            return (e.ifs.empty() ? "" : e.ifs + " ") + text_of(e.map);
+        };
+        return fmt::format("blend: {} -> {}, {}", end(c.from), end(c.to), text_of(c.share));
+    }
 };
 
 struct VolumeText {
@@ -97,6 +103,7 @@ struct CoversText {
 class ScenePrinter {
   public:
     std::string print(const Scene& scene) {
+        if (scene.animation) animation(*scene.animation);
         if (scene.image) image(*scene.image);
         if (scene.render) render(*scene.render);
         if (scene.camera) camera(*scene.camera);
@@ -199,6 +206,15 @@ class ScenePrinter {
         optional("up", block.up);
         optional("fov", block.fov);
         optional("orthographic", block.orthographic);
+        optional("zoom", block.zoom);
+        close();
+    }
+
+    void animation(const AnimationBlock& block) {
+        open("animation");
+        line(fmt::format("frames: {}", block.frames));
+        line("rate: " + text_of(block.rate));
+        line("shutter: " + text_of(block.shutter));
         close();
     }
 

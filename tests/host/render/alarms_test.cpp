@@ -96,11 +96,8 @@ TEST(AlarmTally, does_not_depend_on_the_parts_that_a_picture_comes_in) {
             precision += (pixel.alarms & alarm_precision) != 0 ? 1 : 0;
         }
         for (const Alarm& alarm : whole.alarms()) {
-            if (alarm.name == "capped") {
-                EXPECT_EQ(alarm.count, capped);
-            } else if (alarm.name == "precision") {
-                EXPECT_EQ(alarm.count, precision);
-            }
+            if (alarm.name == "capped") EXPECT_EQ(alarm.count, capped);
+            if (alarm.name == "precision") EXPECT_EQ(alarm.count, precision);
         }
         EXPECT_EQ(capped, 32U);
     }

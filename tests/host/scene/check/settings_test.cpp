@@ -114,7 +114,7 @@ TEST_F(Set, what_is_not_there_is_told_with_what_is) {
     expect_refused({"camra.fov=30"}, "there is no kind of block 'camra' (did you mean 'camera'?)");
     expect_refused({"x.fov=30"},
                    "there is no kind of block 'x' (ifs, object, plane, texture, light, camera, "
-                   "image, render)");
+                   "image, render, animation)");
     expect_refused({"camera.fvo=30"}, "unknown directive 'fvo' in 'camera' (did you mean 'fov'?)");
     expect_refused({"image.x=30"}, "unknown directive 'x' in 'image' (it takes size, crop)");
     expect_refused({"object.c.levels=3"}, "the scene has no object \"c\" (it has a, b)");

@@ -30,11 +30,12 @@ TEST(ParserErrors, a_misspelt_block_is_told_the_nearest) {
               "s.pxm:1:1: error: expected a block, found 'objct' (did you mean 'object'?)\n"
               "    objct a { cone }\n"
               "    ^");
-    EXPECT_EQ(parse_messages("42"),
-              "s.pxm:1:1: error: expected a block, found '42' "
-              "(ifs, object, plane, texture, light, camera, image, render, let or include)\n"
-              "    42\n"
-              "    ^");
+    EXPECT_EQ(
+        parse_messages("42"),
+        "s.pxm:1:1: error: expected a block, found '42' "
+        "(ifs, object, plane, texture, light, camera, image, render, animation, let or include)\n"
+        "    42\n"
+        "    ^");
 }
 
 TEST(ParserErrors, a_missing_colon) {
