@@ -1,4 +1,4 @@
-// `pxm asm FILE`: a program in DSP32 assembler as words, back as text, or run on a node
+// `pxm asm FILE...`: a program in DSP32 assembler as words, back as text, or run on a node
 // (docs/dsp32.md).
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ using dsp32::processor::Stop;
 using dsp32::processor::StopReason;
 
 struct AsmArguments {
-    std::string file;
+    std::vector<std::string> files;
     std::string out;
     bool list = false;
     bool disassemble = false;
@@ -45,12 +45,39 @@ struct AsmArguments {
 
 constexpr std::string_view object_start = "pxm-object ";
 
+/// Several files, read as one behind the other.
+struct Source {
+    std::string text;
+    std::vector<SourceFile> files;
+    std::vector<int> first_lines;  // of each file, in the text
+
+    [[nodiscard]] Position position(const dsp32::assembler::Place& place) const {
+        const auto after = std::ranges::upper_bound(first_lines, place.line);
+        const auto file = static_cast<int>(after - first_lines.begin()) - 1;
+        return {file, place.line - first_lines[static_cast<std::size_t>(file)] + 1, place.column};
+    }
+};
+
+Source read_source(const std::vector<std::string>& paths) {
+    Source source;
+    int line = 1;
+    for (const std::string& path : paths) {
+        source.files.push_back({path, read_file(path)});
+        source.first_lines.push_back(line);
+        std::string text = source.files.back().text;
+        if (!text.ends_with('\n')) text += '\n';
+        line += static_cast<int>(std::ranges::count(text, '\n'));
+        source.text += text;
+    }
+    return source;
+}
+
 /// All mistakes of a source, as those of a scene are shown.
-void refuse_mistakes(const Assembly& assembly, const SourceFile& source) {
+void refuse_mistakes(const Assembly& assembly, const Source& source) {
     Diagnostics diagnostics;
     for (const dsp32::assembler::Mistake& mistake : assembly.mistakes)
-        diagnostics.error({0, mistake.place.line, mistake.place.column}, mistake.message);
-    diagnostics.throw_if_errors({source});
+        diagnostics.error(source.position(mistake.place), mistake.message);
+    diagnostics.throw_if_errors(source.files);
 }
 
 void refuse_size(std::size_t words) {
@@ -69,13 +96,14 @@ Object read_object(const std::string& path, const std::string& text) {
     return *std::move(object);
 }
 
-Object assemble_file(const AsmArguments& arguments, const std::string& text) {
+Object assemble_source(const AsmArguments& arguments, const Source& source) {
     const auto dialect =
         arguments.dsp32c ? dsp32::isa::Dialect::dsp32c : dsp32::isa::Dialect::dsp32;
-    const Assembly assembly = dsp32::assembler::assemble(text, dialect);
-    refuse_mistakes(assembly, {arguments.file, text});
+    const Assembly assembly = dsp32::assembler::assemble(source.text, dialect);
+    refuse_mistakes(assembly, source);
     refuse_size(static_cast<std::size_t>(assembly.words));
-    if (arguments.list) put_result(printable_lines(dsp32::assembler::listing(assembly, text)));
+    if (arguments.list)
+        put_result(printable_lines(dsp32::assembler::listing(assembly, source.text)));
     return assembly.object;
 }
 
@@ -202,19 +230,24 @@ ExitCode run_object(const AsmArguments& arguments, const Object& object) {
     return ExitCode::done;
 }
 
+/// Throws Error unless the object can be written there, and there is nothing that was read.
+void require_object_place(const AsmArguments& arguments, const std::string& out) {
+    std::vector<InputFile> inputs;
+    for (const std::string& file : arguments.files) inputs.push_back({file, "what is assembled"});
+    require_spared({out}, inputs);
+    require_writable(out);
+}
+
 ExitCode assemble(const AsmArguments& arguments) {
-    const std::string text = read_file(arguments.file);
-    const bool is_object = text.starts_with(object_start);
+    const Source source = read_source(arguments.files);
+    const bool is_object = source.text.starts_with(object_start);
     const bool only_shown = arguments.list || arguments.disassemble || !arguments.run.empty();
     std::string out = arguments.out;
     if (out.empty() && !only_shown && !is_object)
-        out = std::filesystem::path(arguments.file).stem().string() + ".o";
-    if (!out.empty()) {
-        require_spared({out}, {{arguments.file, "what is assembled"}});
-        require_writable(out);
-    }
-    const Object object =
-        is_object ? read_object(arguments.file, text) : assemble_file(arguments, text);
+        out = std::filesystem::path(arguments.files.front()).stem().string() + ".o";
+    if (!out.empty()) require_object_place(arguments, out);
+    const Object object = is_object ? read_object(arguments.files.front(), source.text)
+                                    : assemble_source(arguments, source);
     if (arguments.disassemble || (is_object && arguments.run.empty()))
         put_result(printable_lines(dsp32::assembler::disassembly(object)));
     if (!out.empty()) {
@@ -231,9 +264,11 @@ AddedCommand add_asm_command(CommandLine& line) {
     const auto a = std::make_shared<AsmArguments>();
     CommandOptions command =
         line.add_command("asm", "Assemble a program for a node's DSP32, list it, or run it");
-    command.add_option("file", a->file, "Assembler source, or an object").required();
-    command.add_option("-o,--out", a->out,
-                       "The object; default: FILE's name + .o, unless something is only shown");
+    command.add_option("files", a->files, "Assembler source, of several files as one; or an object")
+        .required();
+    command.add_option(
+        "-o,--out", a->out,
+        "The object; default: the first file's name + .o, unless something is only shown");
     command.add_flag("--list", a->list, "Print addresses and words beside the source");
     command.add_flag("--disassemble", a->disassemble, "Print the program as source, with labels");
     command.add_flag("--dsp32c", a->dsp32c, "Allow the instructions that the DSP32C added");

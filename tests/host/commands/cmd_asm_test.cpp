@@ -88,6 +88,17 @@ TEST_F(AsmCommand, mistakes_are_shown_at_their_places_with_code_3) {
     expect_refusal(folder, {"asm", "bad.o"}, 3, "bad.o: no object of this version");
 }
 
+TEST_F(AsmCommand, several_files_are_read_as_one_and_mistakes_name_theirs) {
+    folder.write("main.s", "start: r13 = r14\n call twice (r14)\n nop\n return (r13)\n nop");
+    folder.write("twice.s", "twice: r1 = 0x21\n r1 = r1 * 2\n return (r14)\n nop\n");
+    EXPECT_EQ(shown({"main.s", "twice.s", "--run", "start"}),
+              "ended at fffc: 9 instructions, 9 cycles, 0.0018 ms\n"
+              "r1 = 0042  r13 = fffc  r14 = 000c\n");
+    folder.write("more.s", "nop\nfrob\n");
+    expect_refusal(folder, {"asm", "main.s", "twice.s", "more.s"}, 3,
+                   "more.s:2:1: error: unknown instruction \"frob\"\n    frob\n    ^");
+}
+
 TEST_F(AsmCommand, what_does_not_fit_is_code_5_with_words_and_limit) {
     folder.write("large.s", "nop\n.space 40000\n");
     expect_refusal(folder, {"asm", "large.s"}, 5,
