@@ -1,0 +1,275 @@
+// Kernels in assembler beside their C++: both on the same words.
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <random>
+#include <set>
+
+#include "dsp_kernels/heap.hpp"
+#include "dsp_kernels/volume_slab.hpp"
+#include "dsp_kernels/volume_sphere.hpp"
+#include "tests/pxm/dsp32/processor/program.hpp"
+#include "tests/pxm/dsp32/random_words.hpp"
+#include "tests/support/folder.hpp"
+#include "tests/support/paths.hpp"
+
+namespace pxm::kernels {
+
+using dsp32::Float;
+using dsp32::Word;
+using dsp32::processor::ProcessorNode;
+using dsp32::processor::Program;
+
+/// The sources of dsp_kernels/asm, and words for arguments behind the label `arguments`.
+inline std::string kernels(std::initializer_list<const char*> names) {
+    std::string source;
+    for (const char* name : names)
+        source += test::text_of(std::filesystem::path(test::source_dir) / "dsp_kernels/asm" /
+                                (std::string(name) + ".s"));
+    return source + "\n.data\narguments: 32*.word 0\n";
+}
+
+/// The fewest and the most of several runs.
+struct Cycles {
+    std::uint64_t fewest = ~std::uint64_t{0};
+    std::uint64_t most = 0;
+
+    void add(std::uint64_t cycles) {
+        fewest = std::min(fewest, cycles);
+        most = std::max(most, cycles);
+    }
+    [[nodiscard]] std::string text() const {
+        const std::string end = std::to_string(most);
+        return fewest == most ? end : std::to_string(fewest) + " to " + end;
+    }
+};
+
+/// Words of instructions that a kernel's source makes, without those of the kernels it needs.
+inline std::size_t words_of(const char* kernel, std::initializer_list<const char*> needs) {
+    std::string source = kernels({kernel});
+    for (const char* label : needs) source += std::string(".text\n") + label + ": nop\n";
+    return dsp32::assembler::assemble(source, dsp32::isa::Dialect::dsp32).object.text.size() -
+           needs.size();
+}
+
+/// Expects that docs/dsp32.md has a row of its table of kernels that starts like this.
+inline void expect_row(const std::string& kernel, std::size_t words, const Cycles& cycles) {
+    const std::string row =
+        "| `" + kernel + "` | " + std::to_string(words) + " | " + cycles.text() + " | ";
+    const auto document = std::filesystem::path(test::source_dir) / "docs/dsp32.md";
+    EXPECT_NE(test::text_of(document).find(row), std::string::npos) << row;
+}
+
+/// A routine with its arguments in fast memory.
+class Kernel {
+  public:
+    Kernel(std::string label, std::initializer_list<const char*> names)
+        : program(kernels(names)), label_(std::move(label)), arguments_(program.at("arguments")) {}
+
+    /// Puts words from a place on.
+    void put(std::uint32_t place, std::initializer_list<Word> words) {
+        for (const Word word : words) program.processor.fast_word(arguments_ + 4 * place++) = word;
+    }
+    [[nodiscard]] Word at(std::uint32_t place) {
+        return program.processor.fast_word(arguments_ + 4 * place);
+    }
+    /// Calls it with r1, r2, ... pointing at these places.
+    void call(std::initializer_list<std::uint32_t> places) {
+        unsigned code = 1;
+        for (const std::uint32_t place : places)
+            program.processor.set_register(code++,
+                                           static_cast<std::uint16_t>(arguments_ + 4 * place));
+        call_label(label_, cycles);
+    }
+    void call_label(const std::string& label, Cycles& counted) {
+        const std::uint64_t before = program.processor.cycles();
+        program.call(label);
+        counted.add(program.processor.cycles() - before);
+        EXPECT_EQ(program.processor.stale_reads().count, 0U)
+            << "at " << program.processor.stale_reads().first_address;
+    }
+    Program program;
+    Cycles cycles;
+
+  private:
+    std::string label_;
+    std::uint32_t arguments_;
+};
+
+/// A number near one, as coordinates are; or one of any size.
+inline Word coordinate(dsp32::RandomWords& words) {
+    const Word word = words();
+    return (word & 0xFFU) == 0 ? dsp32::zero : word;
+}
+
+/// Any fraction and an exponent from 2^-64 to 2^63: differences of such numbers do not underflow
+/// unless they are zero, so that a comparison is what a subtraction says (docs/arithmetic.md).
+inline Word ordinary(dsp32::RandomWords& words) {
+    const Word word = words();
+    if ((word & 0xFFU) == 0) return dsp32::zero;
+    return (word & 0xFFFFFF00U) | std::clamp<Word>(word & 0xFFU, 64, 191);
+}
+
+// Each returns after `count` calls that agreed, or one that did not.
+inline Cycles try_reciprocal(std::uint64_t seed, int count) {
+    Kernel kernel("reciprocal", {"reciprocal"});
+    dsp32::RandomWords words(seed);
+    for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
+        const Word y = words();
+        kernel.put(0, {y});
+        kernel.call({0, 1});
+        EXPECT_EQ(kernel.at(1), dsp32::routines::reciprocal(y)) << std::hex << y;
+    }
+    return kernel.cycles;
+}
+
+inline Cycles try_divide(std::uint64_t seed, int count) {
+    Kernel kernel("divide", {"divide"});
+    dsp32::RandomWords words(seed);
+    for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
+        const Word x = words(), y = words();
+        kernel.put(0, {x, y});
+        kernel.call({0, 1, 2});
+        EXPECT_EQ(kernel.at(2), dsp32::routines::divide(x, y)) << std::hex << x << " / " << y;
+    }
+    return kernel.cycles;
+}
+
+inline Cycles try_square_root(std::uint64_t seed, int count) {
+    Kernel kernel("square_root", {"square_root"});
+    dsp32::RandomWords words(seed);
+    for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
+        const Word x = coordinate(words);
+        kernel.put(0, {x});
+        kernel.call({0, 1});
+        EXPECT_EQ(kernel.at(1), dsp32::routines::square_root(x)) << std::hex << x;
+    }
+    return kernel.cycles;
+}
+
+inline Vec3<Float> vector_of(const Word* words) {
+    return {Float::from_word(words[0]), Float::from_word(words[1]), Float::from_word(words[2])};
+}
+inline Ray<Float> ray_of(const Word* words) {
+    return {vector_of(words), vector_of(words + 3), Float::from_word(words[6])};
+}
+
+inline Cycles try_transform_ray(std::uint64_t seed, int count) {
+    Kernel kernel("transform_ray", {"transform_ray"});
+    ProcessorNode node({}, 0);
+    dsp32::RandomWords words(seed);
+    for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
+        Word in[19];
+        for (std::uint32_t k = 0; k < 19; ++k) kernel.put(k, {in[k] = coordinate(words)});
+        kernel.call({0, 7, 19});
+        const AffineMap<Float> inverse{
+            {{vector_of(in + 7), vector_of(in + 10), vector_of(in + 13)}}, vector_of(in + 16)};
+        const Ray<Float> ray = transform_ray(node, ray_of(in), inverse);
+        const Vec3<Float>&o = ray.origin, &d = ray.direction;
+        std::uint32_t k = 19;
+        for (const Float expected : {o.x, o.y, o.z, d.x, d.y, d.z, ray.base})
+            EXPECT_EQ(kernel.at(k++), expected.word()) << "number " << k - 20;
+    }
+    return kernel.cycles;
+}
+
+inline Cycles try_ball(std::uint64_t seed, int count) {
+    Kernel kernel("ball", {"ball", "divide", "square_root"});
+    ProcessorNode node({}, 0);
+    using Record = FollowSetRecord<1>;
+    EXPECT_TRUE(node.back_buffer().reserve(Record::words * 4));
+    const auto shape = node.back_buffer().words();
+    dsp32::RandomWords words(seed);
+    int met = 0;
+    for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
+        Word in[11];
+        for (Word& word : in) word = coordinate(words);
+        // Half of the rays pass close to the centre, so that balls are met.
+        if (i % 2 == 0)
+            for (int k = 0; k < 3; ++k) in[7 + k] = in[k] ^ 0xFFU << 8U;
+        for (std::uint32_t k = 0; k < 11; ++k) kernel.put(k, {in[k]});
+        for (std::uint32_t k = 0; k < 4; ++k) shape[Record::center + k] = in[7 + k];
+        kernel.put(11, {0x11, 0x22});
+        kernel.call({0, 7, 11});
+        const auto interval = intersect_sphere(node, ray_of(in), 0);
+        EXPECT_EQ(kernel.program.r(4), interval ? 1 : 0);
+        EXPECT_EQ(kernel.at(11), interval ? interval->entry.word() : 0x11U);
+        EXPECT_EQ(kernel.at(12), interval ? interval->exit.word() : 0x22U);
+        met += interval ? 1 : 0;
+    }
+    EXPECT_GT(met, count / 5);
+    EXPECT_LT(met, count - count / 5);
+    return kernel.cycles;
+}
+
+inline Cycles try_slab(std::uint64_t seed, int count) {
+    Kernel kernel("slab", {"slab", "reciprocal"});
+    ProcessorNode node({}, 0);
+    dsp32::RandomWords words(seed);
+    int met = 0;
+    for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
+        Word in[6];
+        for (Word& word : in) word = ordinary(words);
+        if (i % 16 == 0) in[1] = dsp32::zero;
+        for (std::uint32_t k = 0; k < 6; ++k) kernel.put(k, {in[k]});
+        kernel.call({0, 2, 4});
+        const auto number = [&](int k) { return Float::from_word(in[k]); };
+        Interval<Float> interval{number(4), number(5)};
+        const bool left = clip_to_slab(node, number(0), number(1), number(2), number(3), interval);
+        EXPECT_EQ(kernel.program.r(4), left ? 1 : 0);
+        EXPECT_EQ(kernel.at(4), interval.entry.word());
+        EXPECT_EQ(kernel.at(5), interval.exit.word());
+        met += left ? 1 : 0;
+    }
+    EXPECT_GT(met, count / 10);
+    EXPECT_LT(met, count - count / 10);
+    return kernel.cycles;
+}
+
+struct HeapCycles {
+    Cycles push, pop;
+};
+
+/// Fills and empties both heaps at random; after each step they have the same order.
+inline HeapCycles try_heap(std::uint64_t seed, int count) {
+    constexpr int capacity = 256;
+    using Entry = Cell<Float>;
+    Kernel kernel("heap_push", {"heap"});
+    EXPECT_TRUE(kernel.program.node.zbuffer().reserve(capacity * 4));
+    kernel.program.call("heap_clear");
+    ProcessorNode node({}, 0);
+    EXPECT_FALSE(node.load_program(0, 0));
+    EXPECT_FALSE(node.reserve_heap(capacity, sizeof(Entry)));
+    Heap<ProcessorNode> heap(node);
+    heap.clear();
+    std::mt19937_64 engine(seed);
+    Cycles pop;
+    std::set<Word> keys;  // in use: equal ones are ordered by more than their keys
+    for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
+        const bool filling = engine() % 16 < (i / 600 % 2 == 0 ? 11U : 5U);
+        if (keys.size() < capacity && (keys.empty() || filling)) {
+            Entry cell;
+            do {
+                cell.key = Float(1e-3 * static_cast<double>(engine() % 1'000'000));
+            } while (!keys.insert(cell.key.word()).second);
+            heap.push(cell);
+            kernel.put(0, {cell.key.word()});
+            kernel.call({0});
+        } else {
+            Entry cell;
+            heap.pop(cell);
+            keys.erase(cell.key.word());
+            kernel.call_label("heap_pop", pop);
+            const Word* slots = kernel.program.node.zbuffer().words().data();
+            EXPECT_EQ(slots[kernel.program.r(4)], cell.key.word());
+        }
+        for (std::uint32_t k = 0; k < capacity; ++k) {
+            const Word pair = kernel.program.word("heap_order", k / 2);
+            EXPECT_EQ(k % 2 == 0 ? pair & 0xFFFFU : pair >> 16U, node.heap_order()[k]) << k;
+        }
+    }
+    return {kernel.cycles, pop};
+}
+
+}  // namespace pxm::kernels
