@@ -103,12 +103,12 @@ inline Word coordinate(dsp32::RandomWords& words) {
     return (word & 0xFFU) == 0 ? dsp32::zero : word;
 }
 
-/// Any fraction and an exponent from 2^-64 to 2^63: differences of such numbers do not underflow
-/// unless they are zero, so that a comparison is what a subtraction says (docs/arithmetic.md).
+/// Any fraction and an exponent from 2^-32 to 2^31: no difference underflows of what a kernel
+/// makes of such numbers, so that a comparison is what a subtraction says (docs/arithmetic.md).
 inline Word ordinary(dsp32::RandomWords& words) {
     const Word word = words();
     if ((word & 0xFFU) == 0) return dsp32::zero;
-    return (word & 0xFFFFFF00U) | std::clamp<Word>(word & 0xFFU, 64, 191);
+    return (word & 0xFFFFFF00U) | std::clamp<Word>(word & 0xFFU, 96, 159);
 }
 
 // Each returns after `count` calls that agreed, or one that did not.
