@@ -14,6 +14,17 @@ TEST(AsmKernels, the_quotient_is_that_of_the_routine) {
 TEST(AsmKernels, the_square_root_is_that_of_the_routine) {
     expect_row("square_root", words_of("square_root", {}), try_square_root(43, 20'000));
 }
+TEST(AsmKernels, one_over_the_root_is_that_of_the_routine) {
+    expect_row("reciprocal_square_root", words_of("reciprocal_square_root", {}),
+               try_reciprocal_square_root(48, 20'000));
+}
+TEST(AsmKernels, a_vector_is_normalized_as_by_the_kernel) {
+    expect_row("normalize", words_of("normalize", {"reciprocal", "reciprocal_square_root"}),
+               try_normalize(49, 10'000));
+}
+TEST(AsmKernels, a_box_is_met_as_by_the_kernel) {
+    expect_row("box", words_of("box", {"slab"}), try_box(50, 10'000));
+}
 TEST(AsmKernels, a_ray_is_transformed_as_by_the_kernel) {
     expect_row("transform_ray", words_of("transform_ray", {}), try_transform_ray(44, 10'000));
 }
