@@ -35,5 +35,7 @@ struct AddedCommand {
 [[nodiscard]] AddedCommand add_study_command(CommandLine& line);
 /// `pxm models`.
 [[nodiscard]] AddedCommand add_models_command(CommandLine& line);
+/// `pxm asm FILE... [-o OBJECT]`.
+[[nodiscard]] AddedCommand add_asm_command(CommandLine& line);
 
 }  // namespace pxm::host

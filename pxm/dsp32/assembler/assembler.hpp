@@ -1,0 +1,38 @@
+// The assembler: the text of a program to words, in two passes. The first lays out labels, the
+// second makes words. The syntax is AT&T's as its library and programs show it [S9, S12]:
+// docs/dsp32.md.
+#pragma once
+
+#include "pxm/dsp32/assembler/mistake.hpp"
+#include "pxm/dsp32/assembler/object.hpp"
+
+namespace pxm::dsp32::assembler {
+
+/// Bytes that a line of the source left in memory.
+struct Placed {
+    std::uint32_t address = 0;
+    std::uint32_t bytes = 0;
+    int line = 1;
+};
+
+struct Assembly {
+    Object object;  // empty if there are mistakes, or if the program is too large
+    std::vector<Mistake> mistakes;
+    std::vector<Placed> placed;    // by line
+    std::int64_t words = 0;        // that the program takes
+    std::int64_t words_limit = 0;  // that the fast memory has
+    [[nodiscard]] bool too_large() const { return words > words_limit; }
+};
+
+/// Assembles a source for a node's fast memory.
+[[nodiscard]] Assembly assemble(std::string_view source, isa::Dialect dialect);
+
+/// The source with addresses and words beside it.
+[[nodiscard]] std::string listing(const Assembly& assembly, std::string_view source);
+
+/// The word of one instruction that stands alone at an address, in a program of so many bytes.
+[[nodiscard]] std::optional<Word> assemble_instruction(std::string_view text, std::uint32_t address,
+                                                       std::uint32_t program_bytes,
+                                                       isa::Dialect dialect);
+
+}  // namespace pxm::dsp32::assembler

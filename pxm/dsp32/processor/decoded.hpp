@@ -1,0 +1,71 @@
+// An instruction made ready to be executed: fields spread out, pointers' steps looked up. Made once
+// a word, when it is first fetched.
+#pragma once
+
+#include "pxm/dsp32/isa/instruction.hpp"
+#include "pxm/dsp32/isa/names.hpp"
+
+namespace pxm::dsp32::processor {
+
+/// What to do; the operations of the table, less what a processor does not tell apart, plus what
+/// it stops at.
+enum class Step : std::uint8_t {
+    unknown,       // not looked at yet
+    illegal,       // no instruction of the first DSP32
+    not_modelled,  // an instruction that needs a port, or companded numbers
+    add_product,
+    copy,
+    add,
+    product_add,  // what the adder gets: docs of isa::Operation
+    tap_add,
+    tap_product_add,
+    to_float,
+    to_integer,
+    round,
+    select_less,
+    select_equal,
+    select_greater,
+    branch,
+    loop_branch,
+    call,
+    add_constant,
+    alu_register,
+    alu_constant,
+    load,
+    store,
+};
+
+/// An operand of the data unit: memory at a pointer, whose step is a register plus a constant; or,
+/// without a pointer, an accumulator.
+struct DecodedOperand {
+    std::uint8_t pointer = 0;
+    std::uint8_t accumulator = 0;
+    std::uint8_t step_register = 0;
+    std::int8_t step_bytes = 0;
+    bool present = false;
+};
+
+struct Decoded {
+    Step step = Step::unknown;
+    bool negate_first = false;   // the adder's operand that is no product
+    bool negate_second = false;  // the product
+    std::uint8_t n = 0;          // result: an accumulator
+    std::uint8_t m = 0;          // an accumulator, or constant_zero or constant_one
+    DecodedOperand x, y, z;
+    // The control unit.
+    isa::Alu alu = isa::Alu::add;
+    std::uint8_t condition = 0;
+    std::uint8_t d = 0;  // result, counter, link or what is moved
+    std::uint8_t u = 0;  // source, or base of a branch
+    std::uint8_t width = 0;
+    bool direct = false;  // a move at a constant address
+    std::uint16_t constant = 0;
+    std::uint32_t reads = 0;  // registers, as a set
+};
+
+/// Values of `m` beyond a0 to a3.
+inline constexpr std::uint8_t constant_zero = 4, constant_one = 5;
+
+[[nodiscard]] Decoded decoded(Word word) noexcept;
+
+}  // namespace pxm::dsp32::processor
