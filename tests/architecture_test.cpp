@@ -71,6 +71,7 @@ const Floors all_floors[] = {
       {"compile", "wide", "output", "openimageio"},
       {"import"},
       {"render"},
+      {"parts"},
       {"inspect"},
       {"study"},
       {"commands"}}},

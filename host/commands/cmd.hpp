@@ -21,6 +21,8 @@ struct AddedCommand {
 
 /// `pxm render SCENE [-o OUT]`.
 [[nodiscard]] AddedCommand add_render_command(CommandLine& line);
+/// `pxm join DIR -o OUT`.
+[[nodiscard]] AddedCommand add_join_command(CommandLine& line);
 /// `pxm check SCENE... [--werror] [--format]`.
 [[nodiscard]] AddedCommand add_check_command(CommandLine& line);
 /// `pxm points SCENE -n N -o OUT.ply`.

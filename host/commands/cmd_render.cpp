@@ -10,9 +10,11 @@
 #include "host/commands/cmd.hpp"
 #include "host/commands/option_checks.hpp"
 #include "host/commands/render_frames.hpp"
+#include "host/commands/render_parts.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/output/cost_model_json.hpp"
+#include "host/output/frame_list.hpp"
 #include "host/output/image.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/output/statistics_json.hpp"
@@ -39,6 +41,8 @@ struct RenderArguments {
     std::string cost_model;
     int threads = 0;  // 0: those granted
     std::string stats;
+    std::string part, keep, claim;
+    double claim_expiry = 60;  // seconds
     std::vector<std::string> set;
     std::string size, crop, numeric, covers, shading, intersect, lipschitz, volume, aov, pixel;
     std::optional<long> levels;
@@ -159,6 +163,7 @@ ExitCode explain(const RenderArguments& arguments) {
     return ExitCode::done;
 }
 
+/// The channels that were asked for.
 std::vector<Aov> aovs_of(const RenderArguments& arguments) {
     const auto aovs = arguments.aov.empty() ? std::vector<Aov>{} : parse_aovs(arguments.aov);
     if (arguments.machine.empty() && std::ranges::find(aovs, Aov::cycles) != aovs.end()) {
@@ -166,6 +171,27 @@ std::vector<Aov> aovs_of(const RenderArguments& arguments) {
                     "--aov cycles: cycles are counted on the machine only (--machine MODEL)");
     }
     return aovs;
+}
+
+/// What a run that makes parts is asked for.
+PartsRequest parts_request_of(const RenderArguments& arguments) {
+    PartsRequest parts;
+    parts.channels = aovs_of(arguments);
+    parts.render = request_of(arguments);
+    if (!arguments.frames.empty()) {
+        const Scene scene = scene_of(parts.render);
+        const auto frames =
+            frames_of(arguments.frames, scene.animation ? scene.animation->frames : 1);
+        if (frames.size() > 1)
+            throw Error(ErrorKind::setting, "--frames: parts are of one picture: say one frame");
+        parts.render.frame = static_cast<double>(frames.front());
+    }
+    parts.metadata = [&arguments](const RenderResult& result) {
+        return metadata_of(result.statistics, arguments, result);
+    };
+    parts.stats = arguments.stats;
+    parts.quiet = arguments.quiet;
+    return parts;
 }
 
 /// Renders one picture into its file; nothing is written if it was stopped.
@@ -235,12 +261,29 @@ ExitCode render_film(const RenderArguments& arguments) {
     return render_frames(job);
 }
 
+ExitCode render_in_parts(const RenderArguments& arguments) {
+    const PartsRequest request = parts_request_of(arguments);
+    if (!arguments.claim.empty()) {
+        if (!arguments.out.empty())
+            throw Error(ErrorKind::setting, "-o: the parts are put into the folder of --claim");
+        return render_claimed(request, arguments.claim, arguments.part, arguments.claim_expiry);
+    }
+    if (!arguments.part.empty()) return render_one_part(request, arguments.part, arguments.out);
+    const std::string out = arguments.out.empty() ? default_out(arguments.scene) : arguments.out;
+    PartsRequest kept = request;
+    kept.render.outputs = outputs_of(arguments, out);
+    return render_keeping(kept, arguments.keep, out);
+}
+
 ExitCode render_command(const RenderArguments& arguments) {
     if (!arguments.cost_model.empty() && arguments.machine.empty()) {
         throw Error(ErrorKind::setting,
                     "--cost-model: cycles are counted on the machine only (--machine MODEL)");
     }
     if (!arguments.pixel.empty()) return explain(arguments);
+    const bool in_parts =
+        !arguments.claim.empty() || !arguments.part.empty() || !arguments.keep.empty();
+    if (in_parts) return render_in_parts(arguments);
     if (!arguments.frames.empty() || !arguments.format.empty() || arguments.out == "-")
         return render_film(arguments);
     return render_picture(arguments);
@@ -263,6 +306,22 @@ AddedCommand add_render_command(CommandLine& line) {
                        "Cycles of the machine's operations, a JSON file (docs/machine.md)");
     add_threads_option(command, a->threads);
     command.add_option("--stats", a->stats, "Write statistics to this JSON file");
+    const Option part = command.add_option(
+        "--part", a->part,
+        "I/N: only this part, into a file of the folder OUT (pxm join); auto: which one a launcher "
+        "says (docs/cluster.md)");
+    const Option claim = command.add_option("--claim", a->claim,
+                                            "Make parts in this folder, one after another, that "
+                                            "nobody else makes, until all are there");
+    command
+        .add_option("--claim-expiry", a->claim_expiry,
+                    "Seconds after which a silent worker counts as dead; default 60")
+        .transform(number_within(0.1, 86400));
+    command
+        .add_option("--keep", a->keep,
+                    "Put what is done into this folder now and then; run again, go on from there")
+        .excludes(part)
+        .excludes(claim);
     add_set_option(command, a->set);
     command.add_option("--size", a->size, "WxH in pixels");
     command.add_option("--crop", a->crop, "x0,y0,x1,y1: only this window, half open");

@@ -10,6 +10,7 @@
 #include "host/compiled/compiled_scene.hpp"
 #include "host/engine/frame.hpp"
 #include "host/engine/statistics.hpp"
+#include "host/engine/units.hpp"
 #include "pxm/cost.hpp"
 #include "pxm/model.hpp"
 
@@ -36,7 +37,7 @@ struct RunControl {
 struct BlockTaker {
     /// Takes a part of the window, all of whose pixels are known. Called by any thread, in any
     /// order; the frame is gone afterwards.
-    std::function<void(const Frame&)> take;
+    std::function<void(Frame&)> take;
     /// Parts come by bands of about so many rows, from the top: what is put together of them needs
     /// no more memory than two bands.
     long band_rows = 0;
@@ -50,6 +51,19 @@ struct EngineResult {
     std::optional<MachineStatistics> machine;
     double render_seconds = 0;  // of the rays
     double take_seconds = 0;    // of the taker, divided by the threads that it ran in
+    bool stopped = false;
+};
+
+/// Units that are to be rendered.
+struct UnitWork {
+    const std::vector<UnitPixels>& units;    // all of a window
+    const std::vector<std::size_t>& wanted;  // of them, by number
+    const TakeUnit& take;
+};
+
+/// How that went. `stopped`: it was given up; units that were taken are complete.
+struct UnitsRun {
+    double render_seconds = 0;
     bool stopped = false;
 };
 
@@ -69,6 +83,15 @@ class LoadedScene {
     [[nodiscard]] EngineResult run(const CropWindow& window, const RunControl& control) {
         return run(window, control, nullptr);
     }
+
+    /// How this engine cuts a window into units.
+    [[nodiscard]] virtual UnitGrid grid(const CropWindow& window) const = 0;
+    /// Renders units of grid(window), each as run(window) would. Throws as run() does, and what
+    /// `work.take` throws.
+    [[nodiscard]] virtual UnitsRun run_units(const UnitGrid& grid, const UnitWork& work,
+                                             const RunControl& control) = 0;
+    /// What of the machine's statistics is known before a run: costs and memories.
+    [[nodiscard]] virtual std::optional<MachineStatistics> machine() const { return std::nullopt; }
 
     /// The scene as words for nodes (dsp_kernels/scene_block.hpp).
     [[nodiscard]] const std::vector<std::uint32_t>& block() const { return block_; }

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
-#include <utility>
 
 #include "host/engine/engine.hpp"
 #include "host/engine/gather.hpp"
@@ -25,21 +25,19 @@ void refuse(const std::optional<Fault>& fault, const Model& model) {
                     fault->bank, fault->node, model.name, fault->wanted_bytes, fault->limit_bytes));
 }
 
-/// The first coordinate at or after `from` that is congruent to `place` modulo `stride`.
-std::uint32_t first_owned(long from, int place, int stride) {
-    const long behind = (from - place) % stride;
-    return static_cast<std::uint32_t>(behind > 0   ? from + stride - behind
-                                      : behind < 0 ? from - behind
-                                                   : from);
+kernels::PixelShare share_of(const UnitPixels& unit) {
+    const auto word = [](long v) { return static_cast<std::uint32_t>(v); };
+    return {word(unit.x0), word(unit.y0),     word(unit.x1),
+            word(unit.y1), word(unit.step_x), word(unit.step_y)};
 }
 
-kernels::PixelShare node_share(const CropWindow& window, const Model& model, NodeId id) {
-    return {first_owned(window.x0, id.column, model.columns),
-            first_owned(window.y0, id.row, model.rows),
-            static_cast<std::uint32_t>(window.x1),
-            static_cast<std::uint32_t>(window.y1),
-            static_cast<std::uint32_t>(model.columns),
-            static_cast<std::uint32_t>(model.rows)};
+/// Those records of a frame that are a node's.
+std::vector<PixelRecord> records_of(const Frame& frame, const UnitPixels& unit) {
+    std::vector<PixelRecord> records;
+    records.reserve(unit.count());
+    for (long y = unit.y0; y < unit.y1; y += unit.step_y)
+        for (long x = unit.x0; x < unit.x1; x += unit.step_x) records.push_back(frame.at(x, y));
+    return records;
 }
 
 /// The display word: 8 bits each of red, green, blue, alpha, from linear values.
@@ -52,8 +50,22 @@ std::uint32_t pack_pixel(const PixelRecord& pixel) {
 }
 
 template <class Real>
-MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistics>& rays,
-                          const CostModel& costs) {
+NodeStatistics statistics_of(const Node<Real>& node, const RayStatistics& rays,
+                             const CostModel& costs) {
+    NodeStatistics one;
+    one.id = node.index();
+    one.column = node.id().column;
+    one.row = node.id().row;
+    one.rays = rays;
+    one.tally = node.tally();
+    one.instructions = instructions(node.tally(), costs.table);
+    one.cycles = cycles(node.tally(), costs.table);
+    return one;
+}
+
+/// Costs and memories.
+template <class Real>
+MachineStatistics describe(Machine<Real>& machine, const CostModel& costs) {
     MachineStatistics statistics;
     statistics.costs = costs;
     const auto use = [](MemoryUse& memory, const Bank& bank) {
@@ -61,21 +73,23 @@ MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistic
         memory.used_bytes = std::max(memory.used_bytes, bank.used_bytes());
     };
     for (Node<Real>& node : machine.nodes()) {
-        NodeStatistics one;
-        one.id = node.index();
-        one.column = node.id().column;
-        one.row = node.id().row;
-        one.rays = rays[static_cast<std::size_t>(node.index())];
-        one.tally = node.tally();
-        one.instructions = instructions(node.tally(), costs.table);
-        one.cycles = cycles(node.tally(), costs.table);
-        statistics.tally.add(node.tally());
-        statistics.nodes.push_back(one);
         use(statistics.fast_memory, node.fast_memory());
         use(statistics.front_buffer, node.front_buffer());
         use(statistics.back_buffer, node.back_buffer());
         use(statistics.zbuffer, node.zbuffer());
         use(statistics.texture, node.texture());
+    }
+    return statistics;
+}
+
+template <class Real>
+MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistics>& rays,
+                          const CostModel& costs) {
+    MachineStatistics statistics = describe(machine, costs);
+    for (const Node<Real>& node : machine.nodes()) {
+        statistics.tally.add(node.tally());
+        statistics.nodes.push_back(
+            statistics_of(node, rays[static_cast<std::size_t>(node.index())], costs));
     }
     return statistics;
 }
@@ -92,6 +106,38 @@ class LoadedMachine : public LoadedScene {
     using LoadedScene::run;
     EngineResult run(const CropWindow& window, const RunControl& control,
                      const BlockTaker* taker) override {
+        const std::vector<UnitPixels> units = units_of(grid(window));
+        std::vector<std::size_t> all(units.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        EngineResult result = run_nodes(window, {units, all, nullptr}, control);
+        if (!taker || result.stopped) return result;
+        PhaseClock clock;
+        taker->take(result.frame);
+        result.frame = {};
+        result.take_seconds = clock.lap();
+        return result;
+    }
+
+    [[nodiscard]] UnitGrid grid(const CropWindow& window) const override {
+        return {window, 0, 0, choice_.machine->columns, choice_.machine->rows};
+    }
+
+    UnitsRun run_units(const UnitGrid& grid, const UnitWork& work,
+                       const RunControl& control) override {
+        const EngineResult result = run_nodes(grid.window, work, control);
+        return {result.render_seconds, result.stopped};
+    }
+
+    [[nodiscard]] std::optional<MachineStatistics> machine() const override {
+        Machine<Real> machine = loaded_machine();
+        return describe(machine, choice_.costs);
+    }
+
+  private:
+    /// Renders the pixels of the nodes that are wanted, and gives each node to `work.take`, if
+    /// there is one, when it is done.
+    EngineResult run_nodes(const CropWindow& window, const UnitWork& work,
+                           const RunControl& control) {
         // Counts and memories are those of one run, so a further run is of another machine.
         Machine<Real> machine = machine_ ? std::move(*machine_) : loaded_machine();
         machine_.reset();
@@ -101,18 +147,32 @@ class LoadedMachine : public LoadedScene {
         EngineResult result;
         result.frame = Frame(scene_.size, window);
         std::vector<RayStatistics> rays(machine.nodes().size());
+        std::vector<bool> wanted(machine.nodes().size());
+        std::size_t wanted_pixels = 0;
+        for (const std::size_t index : work.wanted) {
+            wanted[index] = true;
+            wanted_pixels += work.units[index].count();
+        }
         std::atomic<std::size_t> done = 0;
         std::atomic<bool> stopped = false;
         const auto program = [&](Node<Real>& node) {
             clear_overflow();  // a thread begins with the flags of whoever started it
-            RayStatistics& counts = rays[static_cast<std::size_t>(node.index())];
-            const kernels::PixelShare share = node_share(window, model, node.id());
-            if (share.x0 >= share.x1 || share.y0 >= share.y1) return;
+            const auto index = static_cast<std::size_t>(node.index());
+            RayStatistics& counts = rays[index];
+            if (!wanted[index] || stopped) return;
+            const UnitPixels& unit = work.units[index];
+            const auto give = [&] {
+                if (!work.take || stopped || node.halted()) return;
+                const NodeStatistics statistics = statistics_of(node, counts, choice_.costs);
+                std::vector<PixelRecord> records = records_of(result.frame, unit);
+                work.take({index, records, counts, &statistics});
+            };
+            if (unit.count() == 0) return give();
             // A pixel's cycles are all that was counted since the pixel before, so they sum up to
             // the node's; the first pixel carries the start of the program.
             std::uint64_t cycles_before = 0;
             kernels::pixel_program<features>(
-                node, share,
+                node, share_of(unit),
                 [&](std::uint32_t x, std::uint32_t y, const kernels::PixelResult<Real>& pixel) {
                     PixelRecord& record = result.frame.at(x, y);
                     gather_pixel(scene_, block_, pixel, record, counts);
@@ -126,23 +186,21 @@ class LoadedMachine : public LoadedScene {
                     const std::size_t finished = ++done;
                     if (control.progress && finished % 256 == 0) {
                         control.progress(static_cast<double>(finished) /
-                                         static_cast<double>(result.frame.pixels.size()));
+                                         static_cast<double>(wanted_pixels));
                     }
                     if (control.stop && *control.stop) stopped = true;
                     return !stopped && !node.halted();
                 });
+            give();
         };
         refuse(machine.run(program, choice_.threads), model);
         for (const RayStatistics& counts : rays) result.rays.add(counts);
         result.machine = collect(machine, rays, choice_.costs);
         result.stopped = stopped;
         result.render_seconds = clock.lap();
-        if (taker && !stopped) taker->take(std::exchange(result.frame, {}));
-        result.take_seconds = clock.lap();
         return result;
     }
 
-  private:
     [[nodiscard]] Machine<Real> loaded_machine() const {
         const Model& model = *choice_.machine;
         Machine<Real> machine(model);

@@ -1,5 +1,6 @@
 // The reference engine: the node program itself on the cores at hand, tile by tile.
 #include <algorithm>
+#include <utility>
 
 #include "host/engine/engine.hpp"
 #include "host/engine/gather.hpp"
@@ -46,7 +47,7 @@ class ReferenceTracer {
             });
     }
 
-    [[nodiscard]] const RayStatistics& finish() const { return rays_; }
+    [[nodiscard]] RayStatistics finish() { return std::exchange(rays_, {}); }
 
   private:
     const CompiledScene& scene_;
@@ -68,6 +69,16 @@ class LoadedReferenceScene : public LoadedScene {
     EngineResult run(const CropWindow& window, const RunControl& control,
                      const BlockTaker* taker) override {
         return run_tiles({scene_.size, window, part_side, threads_}, control, taker, [&] {
+            return std::make_unique<ReferenceTracer<Real, features>>(scene_, block_);
+        });
+    }
+
+    [[nodiscard]] UnitGrid grid(const CropWindow& window) const override {
+        return grid_of_tiles(window, part_side);
+    }
+
+    UnitsRun run_units(const UnitGrid&, const UnitWork& work, const RunControl& control) override {
+        return run_tile_units(scene_.size, work, threads_, control, [&] {
             return std::make_unique<ReferenceTracer<Real, features>>(scene_, block_);
         });
     }

@@ -12,7 +12,11 @@ std::vector<TileBlock> blocks_of_tiles(const CropWindow& window, long part, long
     const long part_rows = std::min(part, band_rows);
     long side = std::min(part_rows, most_side);
     while (side / 2 >= least_side && pixels < blocks_a_thread * threads * side * side) side /= 2;
-    side = side / tile_side * tile_side;
+    return blocks_of_side(window, part, part_rows, side / tile_side * tile_side);
+}
+
+std::vector<TileBlock> blocks_of_side(const CropWindow& window, long part, long part_rows,
+                                      long side) {
     const auto first_tile = [](long pixel) { return pixel / tile_side * tile_side; };
     std::vector<TileBlock> blocks;
     for (long part_y = window.y0 / part_rows * part_rows; part_y < window.y1; part_y += part_rows) {

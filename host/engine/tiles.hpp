@@ -12,6 +12,7 @@
 
 #include "host/engine/engine.hpp"
 #include "host/engine/threads.hpp"
+#include "host/engine/units.hpp"
 #include "host/process/first_failure.hpp"
 #include "host/process/phase_clock.hpp"
 
@@ -36,6 +37,11 @@ struct TileBlock {
             std::min(block.x1, window.x1), std::min(block.y1, window.y1)};
 }
 
+/// The same blocks of parts that are `part_rows` high, with a side that is given, another multiple
+/// of tile_side.
+[[nodiscard]] std::vector<TileBlock> blocks_of_side(const CropWindow& window, long part,
+                                                    long part_rows, long side);
+
 /// False when the run is given up: tracers that take long for a tile ask now and then.
 using GoOn = std::function<bool()>;
 
@@ -50,8 +56,8 @@ struct TileJob {
 /// Renders a window with OpenMP. `make_tracer()` points to what one thread renders with and is
 /// called in that thread; `tracer->render(frame, left, top, go_on)` renders those pixels of the
 /// tile that begins there which lie in the frame, whose pixels are as new, and `tracer->finish()`
-/// returns the thread's counts. With a taker each thread has a frame for its block, which stays in
-/// its cache; without, all write to that of the result.
+/// returns what it counted since it was last asked. With a taker each thread has a frame for its
+/// block, which stays in its cache; without, all write to that of the result.
 template <class MakeTracer>
 EngineResult run_tiles(const TileJob& job, const RunControl& control, const BlockTaker* taker,
                        const MakeTracer& make_tracer) {
@@ -111,6 +117,51 @@ EngineResult run_tiles(const TileJob& job, const RunControl& control, const Bloc
     result.stopped = stopped;
     result.render_seconds = clock.lap() - result.take_seconds;
     return result;
+}
+
+/// Renders units in the same way, each in a frame of its own that is given to `take` when all of
+/// it is there.
+template <class MakeTracer>
+UnitsRun run_tile_units(const PixelSize& image, const UnitWork& work, int threads,
+                        const RunControl& control, const MakeTracer& make_tracer) {
+    PhaseClock clock;
+    std::atomic<std::size_t> done = 0;
+    std::atomic<bool> stopped = false;
+    const GoOn go_on = [&] {
+        if (control.stop && *control.stop) stopped = true;
+        return !stopped.load(std::memory_order_relaxed);
+    };
+    FirstFailure failure;
+    const int team = threads_that_start(threads);
+#pragma omp parallel num_threads(team)
+    {
+        Frame frame;
+        decltype(make_tracer()) tracer;
+        failure.guard([&] { tracer = make_tracer(); });
+#pragma omp for schedule(dynamic) nowait
+        for (std::size_t i = 0; i < work.wanted.size(); ++i) {
+            failure.guard([&] {
+                const UnitPixels& unit = work.units[work.wanted[i]];
+                frame.renew(image, {unit.x0, unit.y0, unit.x1, unit.y1});
+                for (long top = unit.y0 / tile_side * tile_side; top < unit.y1; top += tile_side) {
+                    for (long left = unit.x0 / tile_side * tile_side; left < unit.x1;
+                         left += tile_side) {
+                        if (go_on()) tracer->render(frame, left, top, go_on);
+                    }
+                }
+                const RayStatistics rays = tracer->finish();
+                if (!go_on()) return;  // it may be incomplete
+                work.take({work.wanted[i], frame.pixels, rays});
+                const std::size_t finished = ++done;
+                if (control.progress && omp_get_thread_num() == 0) {
+                    control.progress(static_cast<double>(finished) /
+                                     static_cast<double>(work.wanted.size()));
+                }
+            });
+        }
+    }
+    failure.rethrow();
+    return {clock.lap(), stopped};
 }
 
 }  // namespace pxm::host

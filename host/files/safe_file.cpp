@@ -40,19 +40,20 @@ std::string temporary_folder() {
 
 void require_writable(const std::string& path) { (void)find_destination(path); }
 
-PartFile::PartFile(const std::string& path, Places places) : destination_(find_destination(path)) {
+PartFile::PartFile(const std::string& path, Places places, LeftParts left)
+    : destination_(find_destination(path)) {
     if (destination_.is_file || places == Places::any) {
-        make();
+        make(left);
         return;
     }
     file_ = std::make_unique<CheckedFile>(open_destination(destination_), path, Places::in_order);
 }
 
 /// Nobody may read what will be in a file that was closed to him.
-void PartFile::make() {
+void PartFile::make(LeftParts left) {
     constexpr mode_t own = 0600, by_umask = 0666;
     const std::string folder = destination_.is_file ? destination_.folder() : temporary_folder();
-    remove_left_parts(folder);
+    if (left == LeftParts::remove) remove_left_parts(folder);
     const NewPart part = make_part(folder, fs::path(destination_.named).extension().string(),
                                    destination_.is_file && !destination_.existing ? by_umask : own);
     if (!part.error.empty()) cannot_write(destination_.named, part.error);

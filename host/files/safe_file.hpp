@@ -13,12 +13,16 @@
 
 namespace pxm::host {
 
+/// What becomes of parts that others left in the folder. Where several computers share it, a lock
+/// may not be seen by all of them, and what looks left may be somebody's work.
+enum class LeftParts { remove, keep };
+
 /// A file that is being written beside its place: put there by commit(), or else removed.
 class PartFile {
   public:
     /// Throws Error(ErrorKind::file) unless a file can be written at `path`. One that is written in
     /// order goes to a pipe or a device at once, any other is copied there when it is whole.
-    PartFile(const std::string& path, Places places);
+    PartFile(const std::string& path, Places places, LeftParts left = LeftParts::remove);
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
     ~PartFile();
@@ -33,7 +37,7 @@ class PartFile {
     void commit();
 
   private:
-    void make();
+    void make(LeftParts left);
     void keep_owner_and_mode();
     void copy_to_destination();
 

@@ -13,6 +13,7 @@ enum class ExitCode : int {
     file = 4,
     machine_limit = 5,
     over_tolerance = 6,
+    parts_missing = 7,
 };
 
 [[nodiscard]] constexpr ExitCode exit_code_of(ErrorKind kind) {

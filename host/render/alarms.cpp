@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -21,8 +22,14 @@ namespace {
 constexpr double rounding = 1e-4;  // of a depth
 constexpr double least_ulps = 32;  // where float begins to show wrong pixels (docs/studies.md)
 
-using Precision = AlarmTally::Precision;
-using Place = AlarmTally::Place;
+/// What a number type can hold.
+struct Precision {
+    const char* name;
+    double step;            // relative error of one operation
+    double smallest_share;  // p never falls below this share of an object's diameter
+    double steepest;        // condition of a map that half of the digits cannot bear
+    double largest;         // whose square is still in range
+};
 
 Precision precision_of(Numeric numeric) {
     switch (numeric) {
@@ -36,7 +43,7 @@ Precision precision_of(Numeric numeric) {
     return {"double", 0x1p-53, smallest_pixel_share<double>(), 0x1p26, 1e150};
 }
 
-Place place_of(const CompiledScene& scene, const CompiledObject& object) {
+AlarmPlace place_of(const CompiledScene& scene, const CompiledObject& object) {
     const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
     const CompiledVolume& volume = shape.sets[static_cast<std::size_t>(object.start)].volume;
     const double distance = glm::length(object.instance.point(volume.center));
@@ -51,25 +58,46 @@ Place place_of(const CompiledScene& scene, const CompiledObject& object) {
             glm::length(reach.center) + reach.radius()};
 }
 
-std::vector<Place> places_of(const CompiledScene& scene) {
-    std::vector<Place> places;
-    for (const CompiledObject& object : scene.objects) places.push_back(place_of(scene, object));
-    return places;
-}
-
-double pixel_at(const CompiledScene& scene, double distance) {
-    return scene.camera.pixel_at_eye + scene.camera.pixel_growth * distance;
-}
-
 /// Alarms of a pixel that looks at an object from this distance on.
-std::uint8_t look(const CompiledScene& scene, const Precision& precision, double distance,
-                  const Place& place) {
-    const double p = pixel_at(scene, distance) * std::min(1.0, scene.detail);
+std::uint8_t look(const AlarmBasis& basis, const Precision& precision, double distance,
+                  const AlarmPlace& place) {
+    const double at = basis.pixel_at_eye + basis.pixel_growth * distance;
+    const double p = at * std::min(1.0, basis.detail);
     const double coordinates = std::max({distance, place.distance, place.diameter});
     std::uint8_t alarms = 0;
     if (p < least_ulps * precision.step * coordinates) alarms |= alarm_precision;
     if (p < precision.smallest_share * place.diameter) alarms |= alarm_floored;
     return alarms;
+}
+
+/// What is true of every pixel that misses: it might have met an object as near as any pixel does,
+/// or as near as the object's volume begins if none does.
+std::uint8_t alarms_of_misses(const AlarmBasis& basis, double nearest) {
+    const Precision precision = precision_of(basis.numeric);
+    std::uint8_t alarms = 0;
+    for (const AlarmPlace& place : basis.places) {
+        const double from = std::isfinite(nearest) ? std::max(place.begin, nearest) : place.begin;
+        if (from <= place.end) alarms |= look(basis, precision, from, place);
+    }
+    return alarms;
+}
+
+/// Alarms of a pixel that shows one of the objects that a scene's object became, whichever it is.
+std::uint8_t alarms_of_hit(const AlarmBasis& basis, const Precision& precision,
+                           const PixelRecord& pixel) {
+    const double distance = double{pixel.z} / basis.unit;
+    std::uint8_t alarms = 0;
+    for (const AlarmPlace& place : basis.places) {
+        const bool there = std::isinf(place.end) || (place.begin * (1 - rounding) <= distance &&
+                                                     distance <= place.end * (1 + rounding));
+        if (place.origin == pixel.object && there)
+            alarms |= look(basis, precision, distance, place);
+    }
+    return alarms;
+}
+
+bool is_hit(const AlarmBasis& basis, const PixelRecord& pixel) {
+    return pixel.level >= 0 && pixel.object < basis.objects;
 }
 
 bool is_finite(const PixelRecord& pixel) {
@@ -79,12 +107,9 @@ bool is_finite(const PixelRecord& pixel) {
     return all(pixel.color) && all(pixel.normal) && (pixel.level < 0 || std::isfinite(pixel.z));
 }
 
-std::uint64_t count_of(const std::array<std::uint64_t, 256>& counts, PixelAlarm alarm,
-                       std::uint8_t of_all) {
-    std::uint64_t count = 0;
-    for (std::size_t bits = 0; bits < counts.size(); ++bits)
-        if (((bits | of_all) & alarm) != 0) count += counts[bits];
-    return count;
+void count(std::array<std::uint64_t, 8>& counts, std::uint8_t alarms) {
+    for (unsigned rest = alarms; rest != 0; rest &= rest - 1)
+        ++counts[static_cast<std::size_t>(std::countr_zero(rest))];
 }
 
 template <class Wrong>
@@ -107,71 +132,20 @@ bool is_out_of_range(const CompiledMap& map, double largest) {
 
 }  // namespace
 
-AlarmTally::AlarmTally(const CompiledScene& scene, Numeric numeric)
-    : scene_(scene),
-      precision_(precision_of(numeric)),
-      places_(places_of(scene)),
-      objects_(static_cast<int>(object_count(scene))) {}
-
-/// Of a pixel that shows one of the objects that a scene's object became, whichever it is.
-std::uint8_t AlarmTally::alarms_of(const PixelRecord& hit) const {
-    const double distance = double{hit.z} / scene_.unit;
-    std::uint8_t alarms = 0;
-    for (const Place& place : places_) {
-        const bool there = std::isinf(place.end) || (place.begin * (1 - rounding) <= distance &&
-                                                     distance <= place.end * (1 + rounding));
-        if (place.origin == hit.object && there)
-            alarms |= look(scene_, precision_, distance, place);
-    }
-    return alarms;
-}
-
-/// What is true of every pixel that misses: it might have met an object as near as any pixel does,
-/// or as near as the object's volume begins if none does.
-std::uint8_t AlarmTally::alarms_of_misses() const {
-    std::uint8_t alarms = 0;
-    for (const Place& place : places_) {
-        const double from = std::isfinite(nearest_) ? std::max(place.begin, nearest_) : place.begin;
-        if (from <= place.end) alarms |= look(scene_, precision_, from, place);
-    }
-    return alarms;
-}
-
-void AlarmTally::add(const Frame& part) {
-    Counts hits{}, misses{};
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const PixelRecord& pixel : part.pixels) {
-        const unsigned own = pixel.alarms | (is_finite(pixel) ? 0U : unsigned{alarm_not_finite});
-        if (pixel.level >= 0) nearest = std::min(nearest, double{pixel.z} / scene_.unit);
-        if (is_hit(pixel)) {
-            ++hits[own | alarms_of(pixel)];
-        } else {
-            ++misses[own];
-        }
-    }
-    const std::lock_guard lock(mutex_);
-    for (std::size_t bits = 0; bits < hits.size(); ++bits) {
-        hits_[bits] += hits[bits];
-        misses_[bits] += misses[bits];
-    }
-    nearest_ = std::min(nearest_, nearest);
-}
-
-void AlarmTally::mark(Frame& whole) const {
-    const std::uint8_t missed = alarms_of_misses();
-    for (PixelRecord& pixel : whole.pixels) {
-        pixel.alarms |= is_hit(pixel) ? alarms_of(pixel) : missed;
-        if (!is_finite(pixel)) pixel.alarms |= alarm_not_finite;
-    }
-}
-
-std::vector<Alarm> AlarmTally::alarms() const {
-    const CompiledScene& scene = scene_;
-    const Precision& precision = precision_;
-    const std::uint8_t missed = alarms_of_misses();
-    const auto pixels = [&](PixelAlarm alarm) {
-        return count_of(hits_, alarm, 0) + count_of(misses_, alarm, missed);
-    };
+AlarmBasis alarm_basis(const CompiledScene& scene, Numeric numeric) {
+    const Precision precision = precision_of(numeric);
+    AlarmBasis basis{numeric,
+                     scene.camera.pixel_at_eye,
+                     scene.camera.pixel_growth,
+                     scene.detail,
+                     scene.unit,
+                     static_cast<int>(object_count(scene)),
+                     {},
+                     0,
+                     0,
+                     0};
+    for (const CompiledObject& object : scene.objects)
+        basis.places.push_back(place_of(scene, object));
     const auto steep = [&](const CompiledMap& map) {
         const auto values = singular_values(map.map.linear).values;
         return map.lost.empty() && !(values[0] <= precision.steepest * values[2]);
@@ -180,47 +154,98 @@ std::vector<Alarm> AlarmTally::alarms() const {
     const auto outside = [&](const CompiledMap& map) {
         return is_out_of_range(map, precision.largest);
     };
-    const char* name = precision.name;
-    const auto of_maps = [&](const char* alarm, const auto& wrong, const std::string& text) {
-        return Alarm{alarm, count_maps(scene, wrong), text, false};
-    };
-    return {{"precision", pixels(alarm_precision),
-             fmt::format("pixels are less than {} units of the last place of {} wide where they "
-                         "look: cells may be missed or misplaced",
-                         least_ulps, name)},
-            {"floored", pixels(alarm_floored),
-             fmt::format("pixels are finer than {} can tell apart: they show larger cells", name)},
-            {"capped", pixels(alarm_capped),
-             "pixels show the nearest cell known when their ray was given up"},
-            {"not_finite", pixels(alarm_not_finite),
-             "pixels have a depth, colour or normal that is no number"},
-            {"overflow", pixels(alarm_overflow),
-             fmt::format("pixels met a cell whose numbers are beyond the range of {}: it may be "
-                         "missed",
-                         name)},
-            of_maps("steep_maps", steep,
-                    fmt::format("maps squash so much that {} misplaces some of their cells", name)),
-            of_maps("flat_maps", flat,
-                    "singular maps are shown a pixel thick, and where several meet, not exactly"),
-            of_maps("range", outside,
-                    fmt::format("maps have inverses that leave the range of {}", name))};
+    basis.steep_maps = count_maps(scene, steep);
+    basis.flat_maps = count_maps(scene, flat);
+    basis.maps_out_of_range = count_maps(scene, outside);
+    return basis;
+}
+
+void AlarmSums::add(const AlarmSums& other) {
+    for (std::size_t i = 0; i < of_hits.size(); ++i) {
+        of_hits[i] += other.of_hits[i];
+        of_misses[i] += other.of_misses[i];
+    }
+    misses += other.misses;
+    nearest = std::min(nearest, other.nearest);
+}
+
+AlarmSums mark_alarms(const AlarmBasis& basis, std::span<PixelRecord> pixels) {
+    const Precision precision = precision_of(basis.numeric);
+    AlarmSums sums;
+    for (PixelRecord& pixel : pixels) {
+        const bool hit = is_hit(basis, pixel);
+        if (hit) pixel.alarms |= alarms_of_hit(basis, precision, pixel);
+        if (!is_finite(pixel)) pixel.alarms |= alarm_not_finite;
+        count(hit ? sums.of_hits : sums.of_misses, pixel.alarms);
+        sums.misses += hit ? 0 : 1;
+        if (pixel.level >= 0) sums.nearest = std::min(sums.nearest, double{pixel.z} / basis.unit);
+    }
+    return sums;
+}
+
+void mark_misses(const AlarmBasis& basis, const AlarmSums& sums, std::span<PixelRecord> pixels) {
+    const std::uint8_t missed = alarms_of_misses(basis, sums.nearest);
+    if (missed == 0) return;
+    for (PixelRecord& pixel : pixels)
+        if (!is_hit(basis, pixel)) pixel.alarms |= missed;
 }
 
 std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric, Frame& frame) {
-    AlarmTally tally(scene, numeric);
-    tally.add(frame);
-    tally.mark(frame);
-    return tally.alarms();
+    const AlarmBasis basis = alarm_basis(scene, numeric);
+    const AlarmSums sums = mark_alarms(basis, frame.pixels);
+    mark_misses(basis, sums, frame.pixels);
+    return alarms_of(basis, sums);
+}
+
+std::vector<Alarm> alarms_of(const AlarmBasis& basis, const AlarmSums& sums) {
+    const unsigned missed = alarms_of_misses(basis, sums.nearest);
+    const auto counted = [&](PixelAlarm alarm) {
+        const auto bit = static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(alarm)));
+        const bool all = (missed & alarm) != 0;
+        return sums.of_hits[bit] + (all ? sums.misses : sums.of_misses[bit]);
+    };
+    const char* name = precision_of(basis.numeric).name;
+    const auto of_maps = [&](const char* alarm, std::uint64_t count, const std::string& text) {
+        return Alarm{alarm, count, text, false};
+    };
+    return {{"precision", counted(alarm_precision),
+             fmt::format("pixels are less than {} units of the last place of {} wide where they "
+                         "look: cells may be missed or misplaced",
+                         least_ulps, name)},
+            {"floored", counted(alarm_floored),
+             fmt::format("pixels are finer than {} can tell apart: they show larger cells", name)},
+            {"capped", counted(alarm_capped),
+             "pixels show the nearest cell known when their ray was given up"},
+            {"not_finite", counted(alarm_not_finite),
+             "pixels have a depth, colour or normal that is no number"},
+            {"overflow", counted(alarm_overflow),
+             fmt::format("pixels met a cell whose numbers are beyond the range of {}: it may be "
+                         "missed",
+                         name)},
+            of_maps("steep_maps", basis.steep_maps,
+                    fmt::format("maps squash so much that {} misplaces some of their cells", name)),
+            of_maps("flat_maps", basis.flat_maps,
+                    "singular maps are shown a pixel thick, and where several meet, not exactly"),
+            of_maps("range", basis.maps_out_of_range,
+                    fmt::format("maps have inverses that leave the range of {}", name))};
 }
 
 void recount(std::vector<Alarm>& alarms, const Frame& marked) {
     constexpr std::array bits{alarm_precision, alarm_floored, alarm_capped, alarm_not_finite,
-                              alarm_overflow};  // in the order of AlarmTally::alarms()
+                              alarm_overflow};  // in the order of alarms_of()
     for (std::size_t i = 0; i < bits.size(); ++i) {
         alarms[i].count = static_cast<std::uint64_t>(std::ranges::count_if(
             marked.pixels,
             [&](const PixelRecord& pixel) { return (pixel.alarms & bits[i]) != 0; }));
     }
+}
+
+std::string cap_text(const RayStatistics& rays, std::uint32_t cell_cap) {
+    if (rays.capped_rays == 0) return "";
+    return fmt::format(
+        "warning: {} of {} rays were given up after {} cells; their pixels show the nearest cell "
+        "known by then\n",
+        rays.capped_rays, rays.eye_rays + rays.light_rays + rays.reflect_rays, cell_cap);
 }
 
 std::string alarm_text(const std::vector<Alarm>& alarms) {

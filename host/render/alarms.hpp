@@ -5,72 +5,70 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "host/compiled/compiled_scene.hpp"
 #include "host/engine/frame.hpp"
+#include "host/engine/statistics.hpp"
 
 namespace pxm::host {
 
-/// The alarms of a picture that comes in parts. Pixels that show nothing are judged by the nearest
-/// thing that any pixel shows, so they are counted by what else they have, and told at the end.
-class AlarmTally {
-  public:
-    /// `scene` must outlive it.
-    AlarmTally(const CompiledScene& scene, Numeric numeric);
-
-    /// Counts a part. Any thread.
-    void add(const Frame& part);
-    /// Every alarm of the parts so far, also those that count 0.
-    [[nodiscard]] std::vector<Alarm> alarms() const;
-    /// Marks the pixels of the whole picture, which was added.
-    void mark(Frame& whole) const;
-
-    /// What a number type can hold.
-    struct Precision {
-        const char* name;
-        double step;            // relative error of one operation
-        double smallest_share;  // p never falls below this share of an object's diameter
-        double steepest;        // condition of a map that half of the digits cannot bear
-        double largest;         // whose square is still in range
-    };
-    /// An object's outermost volume, seen from the eye, in scene units.
-    struct Place {
-        int origin = 0;       // number of the object in the scene
-        double distance = 0;  // of its middle
-        double diameter = 0;
-        double begin = 0;  // what is nearer, or farther than the end, is not of the object
-        double end = 0;
-    };
-
-  private:
-    /// Pixels by all the bits that they have.
-    using Counts = std::array<std::uint64_t, 256>;
-
-    [[nodiscard]] std::uint8_t alarms_of(const PixelRecord& hit) const;
-    [[nodiscard]] std::uint8_t alarms_of_misses() const;
-    [[nodiscard]] bool is_hit(const PixelRecord& pixel) const {
-        return pixel.level >= 0 && pixel.object < objects_;
-    }
-
-    const CompiledScene& scene_;
-    Precision precision_;
-    std::vector<Place> places_;
-    int objects_;
-    std::mutex mutex_;
-    Counts hits_{};                                             // with what their depth says
-    Counts misses_{};                                           // without what the nearest hit says
-    double nearest_ = std::numeric_limits<double>::infinity();  // of all hits, scene units
+/// An object's outermost volume, or that of a cell which is an object, seen from the eye, in scene
+/// units.
+struct AlarmPlace {
+    int origin = 0;       // number of the object in the scene
+    double distance = 0;  // of its middle
+    double diameter = 0;
+    double begin = 0;  // what is nearer than that, or farther than the end, is not of the object
+    double end = 0;
+    bool operator==(const AlarmPlace&) const = default;
 };
 
-/// The alarms of a whole picture, whose pixels are marked.
+/// All that the alarms of a picture depend on beside its pixels.
+struct AlarmBasis {
+    Numeric numeric = Numeric::single;
+    double pixel_at_eye = 0;  // p(t) = pixel_at_eye + pixel_growth t, scene units (Eq. 15.2)
+    double pixel_growth = 0;
+    double detail = 1;
+    double unit = 1;  // world length of one scene unit
+    int objects = 0;
+    std::vector<AlarmPlace> places;
+    std::uint64_t steep_maps = 0;
+    std::uint64_t flat_maps = 0;
+    std::uint64_t maps_out_of_range = 0;
+    bool operator==(const AlarmBasis&) const = default;
+};
+[[nodiscard]] AlarmBasis alarm_basis(const CompiledScene& scene, Numeric numeric);
+
+/// What pixels add to the alarms of their picture. A pixel that misses might have met an object as
+/// near as any pixel of the picture does: what that means is known when all are there.
+struct AlarmSums {
+    std::array<std::uint64_t, 8> of_hits{};    // by the bits of PixelAlarm
+    std::array<std::uint64_t, 8> of_misses{};  // for other reasons than where they look
+    std::uint64_t misses = 0;
+    double nearest = std::numeric_limits<double>::infinity();  // hit, scene units
+
+    void add(const AlarmSums& other);
+};
+/// Marks pixels by what is known of each without the others, and sums that up.
+[[nodiscard]] AlarmSums mark_alarms(const AlarmBasis& basis, std::span<PixelRecord> pixels);
+/// Marks those of them that miss, by the nearest hit of `sums`.
+void mark_misses(const AlarmBasis& basis, const AlarmSums& sums, std::span<PixelRecord> pixels);
+
+/// Every alarm of a picture, also those that count 0.
+[[nodiscard]] std::vector<Alarm> alarms_of(const AlarmBasis& basis, const AlarmSums& sums);
+
+/// All of it for a picture that is one frame: its pixels are marked.
 [[nodiscard]] std::vector<Alarm> raise_alarms(const CompiledScene& scene, Numeric numeric,
                                               Frame& frame);
 
 /// Counts the pixels anew by their marks, each alarm once a pixel.
 void recount(std::vector<Alarm>& alarms, const Frame& marked);
+
+/// The warning about rays that were given up after `cell_cap` cells; empty if there are none.
+[[nodiscard]] std::string cap_text(const RayStatistics& rays, std::uint32_t cell_cap);
 
 /// The lines for stderr: one for each alarm that counts anything.
 [[nodiscard]] std::string alarm_text(const std::vector<Alarm>& alarms);

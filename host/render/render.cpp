@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "host/engine/overflow.hpp"
 #include "host/error.hpp"
@@ -16,6 +17,7 @@
 #include "host/render/alarms.hpp"
 #include "host/render/exposure.hpp"
 #include "host/render/prepare.hpp"
+#include "host/render/start.hpp"
 #include "host/scene/words.hpp"
 #include "host/wide/tile/wide_engine.hpp"
 
@@ -23,7 +25,7 @@ namespace pxm::host {
 
 namespace {
 
-/// What is known before the first ray.
+/// What is known before the scene is loaded.
 RenderResult begin_result(const RenderRequest& request, const Prepared& prepared,
                           const EngineChoice& choice, const NodeProgram& program) {
     RenderResult result;
@@ -49,14 +51,6 @@ RenderResult begin_result(const RenderRequest& request, const Prepared& prepared
     return result;
 }
 
-std::string warnings_about(const RayStatistics& rays, std::uint32_t cell_cap) {
-    if (rays.capped_rays == 0) return "";
-    return fmt::format(
-        "warning: {} of {} rays were given up after {} cells; their pixels show the nearest cell "
-        "known by then\n",
-        rays.capped_rays, rays.eye_rays + rays.light_rays + rays.reflect_rays, cell_cap);
-}
-
 /// Rows of which all columns together are so many pixels: what is taken from an engine in blocks
 /// and put together by rows.
 long rows_at_once(const CropWindow& window) {
@@ -64,25 +58,31 @@ long rows_at_once(const CropWindow& window) {
     return std::max(least, pixels / (window.x1 - window.x0) / least * least);
 }
 
-/// Runs the engine and adds what it did. What its threads render is counted and handed on by them.
-void run(LoadedScene& loaded, const CompiledScene& scene, Numeric numeric,
-         const RunControl& control, PictureTaker* taker, RenderResult& result) {
-    AlarmTally tally(scene, numeric);
-    const BlockTaker blocks{[&](const Frame& block) {
-                                tally.add(block);
+/// Runs the engine and adds what it did. What its threads render is marked, counted and handed on
+/// by them.
+void run(StartedRender& started, const RunControl& control, PictureTaker* taker) {
+    RenderResult& result = started.result;
+    AlarmSums alarms;
+    std::mutex mutex;
+    const BlockTaker blocks{[&](Frame& block) {
+                                const AlarmSums own = mark_alarms(started.alarms, block.pixels);
+                                {
+                                    const std::lock_guard lock(mutex);
+                                    alarms.add(own);
+                                }
                                 taker->take(block);
                             },
                             rows_at_once(result.window)};
     if (taker) taker->begin(result);
-    EngineResult run = loaded.run(result.window, control, taker ? &blocks : nullptr);
+    EngineResult run = started.loaded->run(result.window, control, taker ? &blocks : nullptr);
     result.stopped = run.stopped;
     result.frame = std::move(run.frame);
     if (!taker) {
-        tally.add(result.frame);
-        tally.mark(result.frame);
+        alarms = mark_alarms(started.alarms, result.frame.pixels);
+        mark_misses(started.alarms, alarms, result.frame.pixels);
     }
     Statistics& statistics = result.statistics;
-    statistics.alarms = tally.alarms();
+    statistics.alarms = alarms_of(started.alarms, alarms);
     statistics.rays = run.rays;
     statistics.machine = std::move(run.machine);
     statistics.seconds.render = run.render_seconds;
@@ -97,12 +97,11 @@ std::unique_ptr<LoadedScene> load(const CompiledScene& scene, const EngineChoice
     return load_reference(scene, choice);
 }
 
-RenderResult render(const RenderRequest& request, const RunControl& control, PictureTaker* taker) {
-    PhaseClock clock;
-    const Prepared prepared = prepare(request);
+std::unique_ptr<StartedRender> start_render(const RenderRequest& request) {
+    auto started = std::make_unique<StartedRender>();
+    started->prepared = prepare(request);
+    const Prepared& prepared = started->prepared;
     require_spared(request.outputs, inputs_of(prepared.scene));
-    if (has_exposure(request, prepared.scene))
-        return render_exposure(request, prepared.scene, control, taker);
     const NodeProgram program = link(prepared.compiled);
     if (request.machine) require_fit(program, std::string(request.machine->name));
     const IntersectChoice intersect = intersect_of(prepared, request);
@@ -114,18 +113,29 @@ RenderResult render(const RenderRequest& request, const RunControl& control, Pic
     // The wide engine places cells in double; in float is only what tells a tile's rays apart.
     const Numeric places =
         intersect.method == IntersectMethod::wide ? Numeric::double_ : choice.numeric;
-    RenderResult result = begin_result(request, prepared, choice, program);
-    result.statistics.intersect_because = intersect.because;
+    started->alarms = alarm_basis(prepared.compiled, places);
+    started->result = begin_result(request, prepared, choice, program);
+    Statistics& statistics = started->result.statistics;
+    statistics.intersect_because = intersect.because;
     PhaseClock load_clock;
-    const std::unique_ptr<LoadedScene> loaded = load(prepared.compiled, choice);
-    result.statistics.seconds.load = load_clock.lap();
-    result.statistics.scene_block_words = loaded->block().size();
-    result.statistics.scene_block_hash = block_hash(loaded->block());
-    run(*loaded, prepared.compiled, places, control, taker, result);
-    result.warnings += warnings_about(result.statistics.rays, prepared.compiled.cell_cap);
+    started->loaded = load(prepared.compiled, choice);
+    statistics.seconds.load = load_clock.lap();
+    statistics.scene_block_words = started->loaded->block().size();
+    statistics.scene_block_hash = block_hash(started->loaded->block());
+    return started;
+}
+
+RenderResult render(const RenderRequest& request, const RunControl& control, PictureTaker* taker) {
+    PhaseClock clock;
+    const std::unique_ptr<StartedRender> started = start_render(request);
+    if (has_exposure(request, started->prepared.scene))
+        return render_exposure(request, started->prepared.scene, control, taker);
+    RenderResult& result = started->result;
+    run(*started, control, taker);
+    result.warnings += cap_text(result.statistics.rays, started->prepared.compiled.cell_cap);
     result.warnings += alarm_text(result.statistics.alarms);
     result.statistics.seconds.total = clock.lap();
-    return result;
+    return std::move(result);
 }
 
 CompiledScene compiled_scene_of(const RenderRequest& request) { return prepare(request).compiled; }

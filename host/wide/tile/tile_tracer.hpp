@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "dsp_kernels/pixel_program.hpp"
@@ -40,8 +41,8 @@ class TileTracer {
     /// Renders those of the tile's pixels that lie in the frame.
     void render(Frame& frame, long left, long top, const GoOn& go_on);
 
-    /// What the rays added up to.
-    [[nodiscard]] const RayStatistics& finish() const { return rays_; }
+    /// What the rays added up to since this was last asked.
+    [[nodiscard]] RayStatistics finish() { return std::exchange(rays_, {}); }
 
   private:
     using Node = NativeNode<double>;

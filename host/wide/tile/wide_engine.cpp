@@ -23,6 +23,16 @@ class LoadedWideScene : public LoadedScene {
             [&] { return std::make_unique<TileTracer>(scene_, wide_, rest_, block_); });
     }
 
+    [[nodiscard]] UnitGrid grid(const CropWindow& window) const override {
+        return grid_of_tiles(window, wide_.candidate_view_side);
+    }
+
+    UnitsRun run_units(const UnitGrid&, const UnitWork& work, const RunControl& control) override {
+        return run_tile_units(scene_.size, work, threads_, control, [&] {
+            return std::make_unique<TileTracer>(scene_, wide_, rest_, block_);
+        });
+    }
+
   private:
     const CompiledScene& scene_;
     int threads_;

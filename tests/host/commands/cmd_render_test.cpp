@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host/files/image_reader.hpp"
+#include "host/output/pixel_values.hpp"
 #include "tests/support/command.hpp"
 
 namespace pxm::test {

@@ -10,6 +10,7 @@
 
 #include "host/files/image_reader.hpp"
 #include "host/node_program/module_table.hpp"
+#include "host/output/pixel_values.hpp"
 #include "host/scene/check/limits.hpp"
 #include "host/scene/parse/parser.hpp"
 #include "tests/support/floor_node.hpp"

@@ -1,0 +1,158 @@
+#include "host/parts/join.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <set>
+
+#include "host/output/image.hpp"
+#include "host/parts/part_run.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+/// Units that are written together, by the row they begin in: whole rows of the picture. The pixels
+/// of a node are in all rows, so that nodes are written at once.
+std::map<long, std::vector<std::size_t>> rows_of_units(const PartSet& parts) {
+    std::map<long, std::vector<std::size_t>> rows;
+    const std::vector<UnitPixels>& units = parts.units();
+    const bool nodes = parts.heading().grid.of_nodes();
+    for (std::size_t i = 0; i < units.size(); ++i) rows[nodes ? 0 : units[i].y0].push_back(i);
+    return rows;
+}
+
+CropWindow window_of_rows(const PartSet& parts, const std::vector<std::size_t>& units) {
+    const UnitGrid& grid = parts.heading().grid;
+    if (grid.of_nodes()) return grid.window;
+    const UnitPixels& unit = parts.units()[units.front()];
+    return {grid.window.x0, unit.y0, grid.window.x1, unit.y1};
+}
+
+void put(const UnitPixels& unit, const std::vector<PixelRecord>& pixels, Frame& frame) {
+    std::size_t i = 0;
+    for (long y = unit.y0; y < unit.y1; y += unit.step_y)
+        for (long x = unit.x0; x < unit.x1; x += unit.step_x) frame.at(x, y) = pixels[i++];
+}
+
+/// The counts of one run.
+class Counts {
+  public:
+    explicit Counts(const PartHeading& heading) : statistics_(heading.statistics) {
+        if (!statistics_.machine) return;
+        for (long row = 0; row < heading.grid.node_rows; ++row)
+            for (long column = 0; column < heading.grid.node_columns; ++column)
+                add_node(static_cast<int>(column), static_cast<int>(row));
+    }
+
+    void add(std::size_t unit, const StoredUnit& stored) {
+        statistics_.rays.add(stored.rays);
+        alarms_.add(stored.alarms);
+        if (!statistics_.machine || !stored.node) return;
+        NodeStatistics& node = statistics_.machine->nodes[unit];
+        node.rays = stored.node->rays;
+        node.tally = stored.node->tally;
+        node.instructions = stored.node->instructions;
+        node.cycles = stored.node->cycles;
+        statistics_.machine->tally.add(node.tally);
+    }
+
+    [[nodiscard]] Statistics all(const AlarmBasis& basis) const {
+        Statistics statistics = statistics_;
+        statistics.alarms = alarms_of(basis, alarms_);
+        return statistics;
+    }
+
+  private:
+    void add_node(int column, int row) {
+        NodeStatistics node;
+        node.id = static_cast<int>(statistics_.machine->nodes.size());
+        node.column = column;
+        node.row = row;
+        statistics_.machine->nodes.push_back(node);
+    }
+
+    Statistics statistics_;
+    AlarmSums alarms_;
+};
+
+}  // namespace
+
+std::optional<JoinedPicture> join(PartSet& parts, const std::string& path,
+                                  const RunControl& control) {
+    const PartHeading& heading = parts.heading();
+    const CropWindow& window = heading.grid.window;
+    require_image_format(path, heading.channels);
+    ImageWriter writer(path, window, heading.channels, heading.metadata);
+    Counts counts(heading);
+    const auto rows = rows_of_units(parts);
+    std::size_t done = 0;
+    for (const auto& [top, units] : rows) {
+        if (control.stop != nullptr && *control.stop) return std::nullopt;
+        Frame frame(heading.statistics.size, window_of_rows(parts, units));
+        for (const std::size_t unit : units) {
+            if (!parts.has(unit)) continue;
+            const StoredUnit stored = parts.read(unit);
+            put(parts.units()[unit], stored.pixels, frame);
+            counts.add(unit, stored);
+        }
+        writer.append(frame);
+        ++done;
+        if (control.progress)
+            control.progress(static_cast<double>(done) / static_cast<double>(rows.size()));
+    }
+    writer.finish();
+    JoinedPicture picture{counts.all(heading.alarms), "", parts.missing()};
+    picture.warnings =
+        cap_text(picture.statistics.rays, heading.cell_cap) + alarm_text(picture.statistics.alarms);
+    return picture;
+}
+
+namespace {
+
+constexpr std::size_t most_named = 20;
+
+/// Numbers with their runs as "3-7"; what is beyond the most that are named is "...".
+std::string numbers_text(const std::set<long>& numbers) {
+    std::string text;
+    std::size_t named = 0;
+    for (auto at = numbers.begin(); at != numbers.end(); ++named) {
+        if (named == most_named) return text + ", ...";
+        const long first = *at;
+        long last = first;
+        while (++at != numbers.end() && *at == last + 1) ++last;
+        text += (text.empty() ? "" : ", ") +
+                (last == first ? fmt::format("{}", first) : fmt::format("{}-{}", first, last));
+    }
+    return text;
+}
+
+/// Those of N parts that have a missing unit.
+std::set<long> parts_with(const PartSet& parts, const std::vector<std::size_t>& missing) {
+    std::set<long> numbers;
+    for (const std::size_t unit : missing)
+        numbers.insert(part_of_unit(unit, parts.units().size(), parts.heading().parts));
+    return numbers;
+}
+
+}  // namespace
+
+std::string missing_text(const PartSet& parts) {
+    const std::vector<std::size_t> missing = parts.missing();
+    if (missing.empty()) return "";
+    std::size_t pixels = 0, all = 0;
+    for (const std::size_t unit : missing) pixels += parts.units()[unit].count();
+    for (const UnitPixels& unit : parts.units()) all += unit.count();
+    const std::string share = fmt::format("{} of {} pixels are black", pixels, all);
+    const long count = parts.heading().parts;
+    if (count == 0) {
+        return fmt::format("{} of {} units are missing, {} first: {}", missing.size(),
+                           parts.units().size(), parts.name_of(missing.front()), share);
+    }
+    const std::set<long> numbers = parts_with(parts, missing);
+    return fmt::format("{} of {} parts {} missing: {}; {}", numbers.size(), count,
+                       numbers.size() == 1 ? "is" : "are", numbers_text(numbers), share);
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,94 @@
+#include "host/parts/part_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <mutex>
+
+#include "host/error.hpp"
+#include "host/parts/part_file.hpp"
+#include "host/text/printable.hpp"
+
+namespace pxm::host {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Units come from the threads in any order and go to the file in theirs, so that a part made twice
+/// is the same file.
+class InOrder {
+  public:
+    InOrder(PartWriter& file, const std::vector<std::size_t>& wanted)
+        : file_(file), wanted_(wanted) {}
+
+    void add(std::size_t unit, std::string payload) {
+        const std::lock_guard lock(mutex_);
+        waiting_.emplace(unit, std::move(payload));
+        while (!waiting_.empty() && waiting_.begin()->first == wanted_[written_]) {
+            file_.add(waiting_.begin()->first, waiting_.begin()->second);
+            waiting_.erase(waiting_.begin());
+            ++written_;
+        }
+    }
+
+  private:
+    PartWriter& file_;
+    const std::vector<std::size_t>& wanted_;  // sorted
+    std::mutex mutex_;
+    std::map<std::size_t, std::string> waiting_;
+    std::size_t written_ = 0;
+};
+
+}  // namespace
+
+long part_of_unit(std::size_t unit, std::size_t units, long parts) {
+    constexpr std::size_t stretches = 32;  // a part has, at least, where there are so many units
+    const auto count = static_cast<std::size_t>(parts);
+    const std::size_t stretch = std::max<std::size_t>(1, units / count / stretches);
+    return static_cast<long>(unit / stretch % count) + 1;
+}
+
+std::vector<std::size_t> units_of_part(std::size_t units, long part, long parts) {
+    std::vector<std::size_t> own;
+    for (std::size_t unit = 0; unit < units; ++unit)
+        if (part_of_unit(unit, units, parts) == part) own.push_back(unit);
+    return own;
+}
+
+std::string part_name(long part, long parts) {
+    const std::string all = std::to_string(parts);
+    return fmt::format("part-{:0{}}-of-{}{}", part, all.size(), all, part_ending);
+}
+
+bool write_part(const UnitRender& render, const std::vector<std::size_t>& wanted,
+                const std::string& path) {
+    PartWriter file(path, render.heading);
+    InOrder order(file, wanted);
+    const std::vector<UnitPixels> units = units_of(render.heading.grid);
+    const TakeUnit take = [&](const FinishedUnit& unit) {
+        const AlarmSums alarms = mark_alarms(render.heading.alarms, unit.pixels);
+        order.add(unit.index, payload_of(unit, alarms, render.heading.channels));
+    };
+    const UnitsRun run = render.started.loaded->run_units(render.heading.grid,
+                                                          {units, wanted, take}, render.control);
+    render.started.result.statistics.seconds.render += run.render_seconds;
+    if (run.stopped) return false;
+    file.finish();
+    return true;
+}
+
+void make_part_folder(const std::string& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error && fs::is_directory(folder)) error.clear();
+    if (error) {
+        throw Error(ErrorKind::file, fmt::format("cannot make the folder {}: {}",
+                                                 printable_path(folder), error.message()));
+    }
+    require_writable((fs::path(folder) / part_name(1, 1)).string());
+}
+
+}  // namespace pxm::host
