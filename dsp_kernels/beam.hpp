@@ -58,7 +58,8 @@ class Beam {
             }
             heap.pop(cell);
             const Vec3<Real> center = center_in_beam(node_, cell);
-            const std::uint32_t asked = places_behind(cell, center) & open_;
+            const std::uint32_t asked =
+                places_around(cell, center, reach_in_beam(node_, cell)) & open_;
             if (asked == 0) continue;
             const Ending end = ending(node_, search_, cell);
             if (end == Ending::word_full) {
@@ -150,32 +151,35 @@ class Beam {
         cell.exit = center.z + reach.z;
         if (cell.key < from) cell.key = from;
         if (cell.exit < cell.key || search_.end < cell.key) return false;
-        return (places_around(center, reach, pixel_at(node_, search_, cell.object, cell.exit)) &
-                open_) != 0;
+        return (places_around(cell, center, reach) & open_) != 0;
     }
 
-    /// The places in the rectangle around a cell, for pixels of that size.
-    [[nodiscard]] std::uint32_t places_around(const Vec3<Real>& center, const Vec3<Real>& reach,
-                                              Real pixel) noexcept {
-        node_.tally(Operation::divide, 1);
-        node_.tally(Operation::multiply_add, 8);
+    /// The places in the rectangle around a cell, wherever in it their rays pass.
+    [[nodiscard]] std::uint32_t places_around(const Cell<Real>& cell, const Vec3<Real>& center,
+                                              const Vec3<Real>& reach) noexcept {
+        using Object = ObjectRecord<real_words<Real>>;
+        node_.tally(Operation::divide, 2);
+        node_.tally(Operation::multiply_add, 9);
         node_.tally(Operation::integer, 12);
-        const Real scale = per_pixel_ / pixel;
+        const Real near = per_pixel_ / pixel_at(node_, search_, cell.object, cell.key);
+        const Real far = per_pixel_ / pixel_at(node_, search_, cell.object, cell.exit);
+        const Real rounding =
+            from_double<Real>(0.5) * node_.shape_real(cell.object + Object::smallest_pixel);
         const auto between = [&](Real middle, Real half, std::uint32_t first,
                                  std::uint32_t before) {
-            return node_.shape_word(before + columns_before((middle + half) * scale, first)) &
-                   ~node_.shape_word(before + columns_before((middle - half) * scale, first));
+            node_.tally(Operation::select, 2);
+            const Real low = middle - half - rounding;
+            const Real high = middle + half + rounding;
+            const Real from = low * (low < Real(0) ? near : far);
+            const Real to = high * (high < Real(0) ? far : near);
+            return node_.shape_word(before + columns_before(to, first)) &
+                   ~node_.shape_word(before + columns_before(from, first));
         };
         const std::uint32_t columns = record_ + Record::columns;
         return between(center.x, reach.x, node_.shape_word(record_ + Record::first_column),
                        columns) &
                between(center.y, reach.y, node_.shape_word(record_ + Record::first_row),
                        columns + count_ + 1);
-    }
-    [[nodiscard]] std::uint32_t places_behind(const Cell<Real>& cell,
-                                              const Vec3<Real>& center) noexcept {
-        return places_around(center, reach_in_beam(node_, cell),
-                             pixel_at(node_, search_, cell.object, cell.exit));
     }
 
     /// How many columns have their middle before x, which is given in columns from the middle of
@@ -193,24 +197,20 @@ class Beam {
     /// Those of the places asked for whose rays meet the cell's volume itself.
     [[nodiscard]] std::uint32_t places_inside(const Cell<Real>& cell, const Vec3<Real>& center,
                                               std::uint32_t asked) noexcept {
-        const Vec3<Real>* r = cell.linear.rows;
-        const Linear<Real> crosses{{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])}};
-        const Real volume = dot(node_, r[0], crosses.rows[0]);
-        const Real pixel = pixel_at(node_, search_, cell.object, center.z);
-        node_.tally(Operation::compare_branch, 2);
-        const bool flat = !(volume < Real(0)) && !(Real(0) < volume);
-        node_.tally(Operation::reciprocal, 1);
-        const Real inverse = flat ? Real(0) : reciprocal(volume);
+        const CellInverse<Real> back = inverse_of(node_, cell);
+        const PixelSize<Real> pixel = pixel_around(node_, search_, cell.object, center.z);
         std::uint32_t inside = 0;
         for (std::uint32_t rest = asked; rest != 0; rest &= rest - 1) {
             node_.tally(Operation::loop_turn, 1);
-            node_.tally(Operation::multiply_add, 2);
+            node_.tally(Operation::multiply_add, 4);
             node_.tally(Operation::integer, 4);
             const auto i = static_cast<std::uint32_t>(std::countr_zero(rest));
             const Vec3<Real> at = place(i);
-            const Vec3<Real> aside{at.x * pixel - center.x, at.y * pixel - center.y, Real(0)};
-            const bool met = flat || is_lifted(cell) ? is_near(cell, aside)
-                                                     : meets(cell, crosses, inverse, aside);
+            const PassingRay<Real> ray{
+                {at.x * pixel.at_origin - center.x, at.y * pixel.at_origin - center.y, Real(0)},
+                {at.x * pixel.growth, at.y * pixel.growth, Real(1)}};
+            const bool met = back.flat || is_lifted(cell) ? is_near(cell, ray.aside)
+                                                          : passes(node_, cell, back, ray);
             if (met) inside |= std::uint32_t{1} << i;
         }
         return inside;
@@ -228,24 +228,6 @@ class Beam {
         node_.tally(Operation::multiply_add, 2);
         node_.tally(Operation::compare_branch, 1);
         return !(diameter * diameter < Real(4) * dot(node_, aside, aside));
-    }
-    /// Whether the ray that passes the cell's centre that far aside meets its volume: it goes back
-    /// by the inverse, the adjugate over the determinant (Eq. 12.3).
-    [[nodiscard]] bool meets(const Cell<Real>& cell, const Linear<Real>& crosses, Real inverse,
-                             const Vec3<Real>& aside) noexcept {
-        using FollowSet = FollowSetRecord<real_words<Real>>;
-        const Vec3<Real> center = read_vector(node_, cell.follow_set + FollowSet::center);
-        const Vec3<Real> along{crosses.rows[0].z, crosses.rows[1].z, crosses.rows[2].z};
-        Ray<Real> ray;
-        ray.origin = add_scaled(node_, center, inverse, transform_normal(node_, aside, crosses));
-        ray.direction = scale(node_, inverse, along);
-        ray.base = cell.key;
-        return intersect_volume(node_, rebase(node_, ray, center), cell.follow_set).has_value();
-    }
-
-    [[nodiscard]] Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) noexcept {
-        node_.tally(Operation::multiply_add, 6);
-        return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
     }
 
     /// What the attractor covers of the cell's volume, on average; all of it where the object ends.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "dsp_kernels/descend.hpp"
+#include "dsp_kernels/footprint.hpp"
 
 namespace pxm::kernels {
 
@@ -114,6 +115,60 @@ template <NodeLike Node, class Real = typename Node::Real>
     };
     return {along(r[0].x, r[1].x, r[2].x), along(r[0].y, r[1].y, r[2].y),
             along(r[0].z, r[1].z, r[2].z)};
+}
+
+/// p around a depth: its size there, and how it grows.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] PixelSize<Real> pixel_around(Node& node, const Search<Real>& search,
+                                           std::uint32_t object, Real depth) noexcept {
+    using Object = ObjectRecord<real_words<Real>>;
+    node.tally(Operation::compare_branch, 1);
+    const Real pixel = pixel_at(node, search, object, depth);
+    const bool grows = node.shape_real(object + Object::smallest_pixel) < pixel;
+    return {pixel, grows ? search.pixel.growth : Real(0)};
+}
+
+/// The way back into a cell: the adjugate over the determinant (Eq. 12.3).
+template <class Real>
+struct CellInverse {
+    Linear<Real> crosses;
+    Real over_volume;
+    bool flat;  // there is none
+};
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] CellInverse<Real> inverse_of(Node& node, const Cell<Real>& cell) noexcept {
+    const Vec3<Real>* r = cell.linear.rows;
+    const Linear<Real> crosses{
+        {cross(node, r[1], r[2]), cross(node, r[2], r[0]), cross(node, r[0], r[1])}};
+    const Real volume = dot(node, r[0], crosses.rows[0]);
+    node.tally(Operation::compare_branch, 2);
+    const bool flat = !(volume < Real(0)) && !(Real(0) < volume);
+    node.tally(Operation::reciprocal, 1);
+    return {crosses, flat ? Real(0) : reciprocal(volume), flat};
+}
+
+/// The ray through a place of the pixel near a cell, in the beam's frame: where it is as deep as
+/// the cell's centre, from there, and how it goes on. In perspective it is not parallel to the
+/// beam: if it were taken to be, cells that touch at different depths would leave a gap.
+template <class Real>
+struct PassingRay {
+    Vec3<Real> aside;
+    Vec3<Real> along;
+};
+
+/// Whether a ray meets the cell's volume.
+template <NodeLike Node, class Real = typename Node::Real>
+[[nodiscard]] bool passes(Node& node, const Cell<Real>& cell, const CellInverse<Real>& inverse,
+                          const PassingRay<Real>& passing) noexcept {
+    using FollowSet = FollowSetRecord<real_words<Real>>;
+    const Vec3<Real> center = read_vector(node, cell.follow_set + FollowSet::center);
+    Ray<Real> ray;
+    ray.origin = add_scaled(node, center, inverse.over_volume,
+                            transform_normal(node, passing.aside, inverse.crosses));
+    ray.direction =
+        scale(node, inverse.over_volume, transform_normal(node, passing.along, inverse.crosses));
+    ray.base = cell.key;
+    return intersect_volume(node, rebase(node, ray, center), cell.follow_set).has_value();
 }
 
 }  // namespace pxm::kernels

@@ -113,7 +113,8 @@ void measure_coverage(CompiledScene& scene, std::size_t index) {
 
 }  // namespace
 
-void cover_by_area(const RenderBlock& render, CompiledScene& scene, Diagnostics& diagnostics) {
+void cover_by_area(const RenderBlock& render, const std::vector<bool>& filled, CompiledScene& scene,
+                   Diagnostics& diagnostics) {
     const long places = render.samples.value_or(places_in_beam);
     if (places > kernels::most_places) {
         diagnostics.error(render.covers_position,
@@ -132,7 +133,10 @@ void cover_by_area(const RenderBlock& render, CompiledScene& scene, Diagnostics&
     scene.detail *= detail_of_beams;
     scene.fade = scene.detail;
     scene.samples = sample_places(places);
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i) measure_coverage(scene, i);
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        // What is filled leaves nothing free inside, however far its volumes stand out of it.
+        if (!filled[i]) measure_coverage(scene, i);
+    }
 }
 
 }  // namespace pxm::host

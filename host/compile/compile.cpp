@@ -21,6 +21,7 @@
 #include "host/compile/view.hpp"
 #include "host/compile/volumes.hpp"
 #include "host/compiled/bounding_volume.hpp"
+#include "host/fractal/bounds/filled.hpp"
 #include "host/math/lipschitz.hpp"
 #include "host/node_program/crowded.hpp"
 #include "host/scene/default_objects.hpp"
@@ -69,7 +70,7 @@ class Compiler {
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
         set_sampling();
         for (const Placed& object : objects) add_object(object);
-        if (covers_by_area()) cover_by_area(render_, out_, diagnostics_);
+        if (covers_by_area()) cover_by_area(render_, filled_, out_, diagnostics_);
         if (near_cells_ == NearCells::replaced) reroot(roots_, view_, rays(), out_);
         compile_floor(scene_, view_, fractals_, out_, diagnostics_);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
@@ -227,7 +228,8 @@ class Compiler {
             shape.maps[i].lost = lost_axes(fractal.exact.maps[i]);
         }
         shape.crowded = is_crowded(shape);
-        return add_shape(std::move(shape));
+        const bool filled = covers_by_area() && find_filling(fractal.rifs).filling != Filling::none;
+        return add_shape(std::move(shape), filled);
     }
 
     int shape_of_volume(const ObjectBlock& block, const ShapeFrame& frame) {
@@ -235,7 +237,7 @@ class Compiler {
         if (const auto made = shape_with("", {volume}, frame)) return *made;
         CompiledShape shape;
         shape.sets.push_back({in_frame(volume, frame.center, frame.scale), {}});
-        return add_shape(std::move(shape));
+        return add_shape(std::move(shape), true);
     }
 
     /// The volumes for an object: those chosen for another one that is declared alike.
@@ -270,7 +272,8 @@ class Compiler {
         return static_cast<int>(found - out_.shapes.begin());
     }
 
-    int add_shape(CompiledShape shape) {
+    int add_shape(CompiledShape shape, bool filled) {
+        filled_.push_back(filled);
         out_.shapes.push_back(std::move(shape));
         return static_cast<int>(out_.shapes.size()) - 1;
     }
@@ -289,7 +292,8 @@ class Compiler {
     NearCells near_cells_;
     std::map<std::string, Fractal> fractals_;
     std::vector<ChosenVolumes> chosen_;
-    std::vector<Root> roots_;  // of the objects
+    std::vector<Root> roots_;   // of the objects
+    std::vector<bool> filled_;  // shapes; known where local covers are by area
     View view_;
     CompiledScene out_;
 };

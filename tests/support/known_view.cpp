@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <vector>
 
 namespace pxm::test {
 
@@ -37,8 +39,9 @@ class Judge {
     Judge(const KnownSurface& surface, const KnownView& view, double most_degrees)
         : surface_(surface), view_(view), most_degrees_(most_degrees) {}
 
-    /// `pixel` is its size at the surface, in the surface's units.
-    void look_at(const Sight& ray, const PixelRecord& record, double cell, double pixel,
+    /// `pixel` is its size at the surface, in the surface's units; `inner`: the rays of the pixels
+    /// around come to the surface too.
+    void look_at(const Sight& ray, const PixelRecord& record, double cell, double pixel, bool inner,
                  const std::string& place) {
         const auto hit = surface_.hit(ray, -1e-6);
         const double z = static_cast<double>(record.z);
@@ -57,7 +60,7 @@ class Judge {
             report(place, fmt::format("depth {:.9g}, is {:.9g}", z, hit->depth));
             return;
         }
-        look_at_normal(ray, *hit, record, pixel, place);
+        if (inner) look_at_normal(ray, *hit, record, pixel, place);
     }
     SurfaceVerdict take() {
         if (verdict_.flat > 0) verdict_.mean_degrees /= static_cast<double>(verdict_.flat);
@@ -148,21 +151,44 @@ std::string text_of(const KnownSurface& surface, const KnownView& view, int side
     return text;
 }
 
+namespace {
+
+/// Whether the rays of a pixel and of those around it come to the surface: it is not seen past.
+bool is_inner(const std::vector<std::optional<SurfaceHit>>& hits, const PixelSize& size, long x,
+              long y) {
+    for (long row = y - 1; row <= y + 1; ++row) {
+        for (long column = x - 1; column <= x + 1; ++column) {
+            if (row < 0 || column < 0 || row >= size.rows || column >= size.columns) continue;
+            if (!hits[static_cast<std::size_t>(row * size.columns + column)]) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
 SurfaceVerdict judge(const KnownSurface& surface, const KnownView& view, const CompiledScene& scene,
                      const Frame& frame, double most_degrees) {
     Oracle eye(scene, 0);  // for the lines of sight alone
     Judge judge(surface, view, most_degrees);
+    std::vector<std::optional<SurfaceHit>> hits;
+    for (long y = 0; y < scene.size.rows; ++y) {
+        for (long x = 0; x < scene.size.columns; ++x) {
+            hits.push_back(surface.hit(sight_of(view, scene, eye, x, y), 1e-6));
+        }
+    }
     for (long y = 0; y < scene.size.rows; ++y) {
         for (long x = 0; x < scene.size.columns; ++x) {
             const Sight ray = sight_of(view, scene, eye, x, y);
             const PixelRecord& record = frame.at(x, y);
-            const auto hit = surface.hit(ray, 1e-6);
+            const auto& hit = hits[static_cast<std::size_t>(y * scene.size.columns + x)];
             const double depth = record.alpha > 0 ? static_cast<double>(record.z)
                                  : hit            ? hit->depth
                                                   : 0.0;
             const double pixel =
                 scene.camera.pixel_at_eye * scene.unit + scene.camera.pixel_growth * depth;
             judge.look_at(ray, record, scene.detail * pixel, pixel,
+                          is_inner(hits, scene.size, x, y),
                           fmt::format("{} {} pixel {},{}", surface.name, view.name, x, y));
         }
     }

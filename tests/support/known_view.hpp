@@ -36,7 +36,7 @@ struct SurfaceVerdict {
     long lost = 0;        // of these, those that see nothing or something behind it
     long beside = 0;      // hits farther from the surface than a cell may reach
     double farthest = 0;  // from the surface, in cells
-    long flat = 0;        // of the rays, those with no edge between two faces nearby
+    long flat = 0;        // of the rays, those with no edge nearby, of a face or of the whole
     long turned = 0;      // ... whose normal is `most_degrees` or more off
     double worst_degrees = 0;
     double mean_degrees = 0;

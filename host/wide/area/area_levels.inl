@@ -67,7 +67,7 @@ HWY_INLINE void place_homotheties(D d, const WideScene& scene, BeamWorkspace& wo
                          reach(glm::dot(axes[2], way))};
     };
     cast_cells(d, place, axes_along(work.view.x), axes_along(work.view.y), axes_along(work.view.s),
-               object.spheres, rows, table.stride);
+               rows, table.stride);
 }
 
 inline void open_homotheties(const WideScene& scene, BeamWorkspace& work, int index) {
@@ -151,7 +151,7 @@ HWY_INLINE V diameters_of_children(D d, const WideSet& set, const BeamCell& pare
 
 template <class D>
 HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& set,
-                               const BeamCell& parent, bool ball, double* rows, int i) {
+                               const BeamCell& parent, double* rows, int i) {
     using V = hn::VFromD<D>;
     const int stride = set.stride;
     const double* outer = work.axes[static_cast<std::size_t>(parent.axes)].data();
@@ -179,7 +179,7 @@ HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& se
                                                      dot(axes.row[2], way)}),
                                lengths},
                   hn::Set(d, parent.large ? 0.0 : parent.key), rows + i, stride);
-    cast_cells(d, place, x, y, s, ball, rows + i, stride);
+    cast_cells(d, place, x, y, s, rows + i, stride);
     for (int r = 0; r < 3; ++r) {
         store3(axes.row[r], d, rows + (BeamRows::axes + 3 * r) * stride + i, stride);
     }
@@ -192,11 +192,10 @@ inline void open_beam_cell(const WideScene& scene, BeamWorkspace& work, int inde
     const hn::ScalableTag<double> d;
     const BeamCell parent = work.cells[static_cast<std::size_t>(index)];
     const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
-    const bool ball = scene.objects[static_cast<std::size_t>(parent.object)].spheres;
     double* rows = work.scratch.get();
     work.tested += static_cast<std::uint64_t>(set.count);
     for (int i = 0; i < set.count; i += static_cast<int>(hn::Lanes(d))) {
-        place_children(d, work, set, parent, ball, rows, i);
+        place_children(d, work, set, parent, rows, i);
     }
     const std::uint64_t wanted = parent.pixels;
     const auto row = [&](int i, int lane) {
@@ -247,7 +246,7 @@ inline void push_beam_object(const WideScene& scene, BeamWorkspace& work, int in
     const Lanes3x3<V> half{
         {broadcast(d, &axes[0].x), broadcast(d, &axes[1].x), broadcast(d, &axes[2].x)}};
     cast_cells(d, place, axes_along(d, half, work.view.x), axes_along(d, half, work.view.y),
-               axes_along(d, half, work.view.s), object.spheres, rows, 1);
+               axes_along(d, half, work.view.s), rows, 1);
     ++work.tested;
     BeamCell cell{};
     cell.pixels = pixels_between(rows, 1, 0) & work.open;

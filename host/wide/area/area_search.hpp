@@ -72,15 +72,11 @@ struct BeamSight {
 
 /// A pixel: its beam, what is left of its places, and what shows in it.
 struct PixelBeam {
-    LoneRay ray;              // through the first place
-    glm::dvec3 across, down;  // unit vectors at right angles to the ray
-    double column, row;       // of the first place, from the tile's middle
-    double xx, xy, yy;        // a step of (columns, rows) in the picture is (xx c + xy r, yy r)
-                              // beside the ray
-    float deeper_x,
-        deeper_y;        // by what share a point a column (a row) away is deeper along the ray
-    double end;          // nothing shows beyond
-    std::uint32_t open;  // places that something behind may show at
+    LoneRay ray;               // through the first place
+    glm::dvec3 across, down;   // unit vectors at right angles to the ray
+    double column, row;        // of the first place, from the tile's middle
+    double end;                // nothing shows beyond
+    std::uint32_t open;        // places that something behind may show at
     std::uint32_t tested = 0;  // cells whose places were looked at
     int sight_count = 0;
     std::array<BeamSight, static_cast<std::size_t>(most_sights)> sights;
@@ -101,7 +97,7 @@ struct TileView {
     double low_y, high_y;
 };
 
-inline constexpr int beam_scratch_rows = 34;  // of children in lanes
+inline constexpr int beam_scratch_rows = 42;  // of children in lanes
 
 /// No point of a volume is farther from its centre, in X, Y, S, and along the rays.
 struct BeamReach {

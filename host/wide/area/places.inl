@@ -24,10 +24,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// The shadow of a small cell, as cast_cells() has it.
 struct CellShadow {
     float column, row;
-    float form[6];
+    float xi[3], eta[3];
+    float along[3], per_column[3], per_row[3];  // directions of lines of sight
     float spread;  // of the places: p may not be smaller than an object allows
     bool ball;
-    bool large;  // so that pixels see it from different sides
 };
 
 HWY_INLINE CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, const double* rows,
@@ -39,41 +39,18 @@ HWY_INLINE CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, co
     CellShadow shadow;
     shadow.column = at(BeamRows::column);
     shadow.row = at(BeamRows::row);
-    for (int i = 0; i < 6; ++i) shadow.form[i] = at(BeamRows::shadow + i);
+    for (int i = 0; i < 3; ++i) {
+        shadow.xi[i] = at(BeamRows::shadow + i);
+        shadow.eta[i] = at(BeamRows::shadow + 3 + i);
+        shadow.along[i] = at(BeamRows::shadow + 6 + i);
+        shadow.per_column[i] = at(BeamRows::shadow + 9 + i);
+        shadow.per_row[i] = at(BeamRows::shadow + 12 + i);
+    }
     const double depth = rows[static_cast<std::ptrdiff_t>(BeamRows::depth) * stride + lane];
     const double p = scene.camera.pixel_at_eye + scene.camera.pixel_growth * depth;
     shadow.spread = p < object.smallest_pixel ? static_cast<float>(object.smallest_pixel / p) : 1;
     shadow.ball = object.spheres;
-    constexpr double most_columns = 1;
-    const double half = rows[static_cast<std::ptrdiff_t>(BeamRows::right) * stride + lane] -
-                        rows[static_cast<std::ptrdiff_t>(BeamRows::left) * stride + lane];
-    shadow.large = most_columns < half;
     return shadow;
-}
-
-/// The shadow of a large cell along a pixel's own ray. Its half axes are in the scratch table, or
-/// those of its object in its size.
-HWY_NOINLINE void turn_shadow(const WideScene& scene, const BeamWorkspace& work,
-                              const BeamCell& cell, const PixelBeam& pixel, int stride, int lane,
-                              CellShadow& shadow) {
-    const hn::CappedTag<double, 1> d;
-    using V = hn::VFromD<decltype(d)>;
-    const auto at = [&](int i) {
-        return work.scratch.get()[static_cast<std::ptrdiff_t>(i) * stride + lane];
-    };
-    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    glm::dmat3 axes = object.from_unit.linear * cell.size;
-    for (int i = 0; i < 9 && !object.of_homotheties && cell.parent >= 0; ++i) {
-        axes[i / 3][i % 3] = at(BeamRows::axes + i);
-    }
-    const Lanes3x3<V> lanes{
-        {broadcast(d, &axes[0].x), broadcast(d, &axes[1].x), broadcast(d, &axes[2].x)}};
-    const LanePlace<V> place{hn::Set(d, pixel.column), hn::Set(d, pixel.row),
-                             hn::Set(d, at(BeamRows::over_s))};
-    double rows[BeamRows::shadow + 6];
-    cast_cells(d, place, axes_along(d, lanes, work.view.x), axes_along(d, lanes, work.view.y),
-               axes_along(d, lanes, work.view.s), object.spheres, rows, 1);
-    for (int i = 0; i < 6; ++i) shadow.form[i] = static_cast<float>(rows[BeamRows::shadow + i]);
 }
 
 /// The places of a pixel of which `here(d, x, y)` is true, a bit each: where they are from a point
@@ -85,9 +62,7 @@ HWY_INLINE std::uint32_t places_where(const BeamWorkspace& work, const PixelBeam
     using V = hn::VFromD<decltype(d)>;
     const float right = static_cast<float>(beam.column) - column;
     const float below = static_cast<float>(beam.row) - row;
-    const V x0 = hn::Set(d, right), y0 = hn::Set(d, below);
-    // p grows with the depth along the pixel's own ray.
-    const V apart = hn::Set(d, spread * (1 - beam.deeper_x * right - beam.deeper_y * below));
+    const V x0 = hn::Set(d, right), y0 = hn::Set(d, below), apart = hn::Set(d, spread);
     std::uint32_t found = 0;
     for (int i = 0; i < work.places; i += static_cast<int>(hn::Lanes(d))) {
         const V x = hn::Add(hn::Mul(hn::Load(d, beam.columns + i), apart), x0);
@@ -102,28 +77,29 @@ HWY_INLINE std::uint32_t places_where(const BeamWorkspace& work, const PixelBeam
 /// Those that lie in a shadow.
 HWY_INLINE std::uint32_t places_in(const BeamWorkspace& work, const CellShadow& shadow,
                                    std::size_t pixel) {
-    const PixelBeam& beam = work.pixels[pixel];
-    const float* form = shadow.form;
-    if (shadow.ball) {
-        return places_where(work, beam, shadow.column, shadow.row, shadow.spread,
-                            [&](auto d, auto x, auto y) HWY_ATTR {
-                                const auto square =
-                                    hn::Add(hn::Mul(x, hn::Add(hn::Mul(hn::Set(d, form[0]), x),
-                                                               hn::Mul(hn::Set(d, form[1]), y))),
-                                            hn::Mul(hn::Mul(hn::Set(d, form[2]), y), y));
-                                return hn::Le(square, hn::Set(d, 1.0F));
-                            });
-    }
     constexpr float outermost = 1 + 0x1p-16F;  // no place is lost between boxes that touch
-    return places_where(work, beam, shadow.column, shadow.row, shadow.spread,
-                        [&](auto d, auto x, auto y) HWY_ATTR {
-                            const auto inside = [&](int i) HWY_ATTR {
-                                const auto aside = hn::Add(hn::Mul(x, hn::Set(d, form[2 * i])),
-                                                           hn::Mul(y, hn::Set(d, form[2 * i + 1])));
-                                return hn::Le(hn::Abs(aside), hn::Set(d, outermost));
-                            };
-                            return hn::And(hn::And(inside(0), inside(1)), inside(2));
-                        });
+    return places_where(
+        work, work.pixels[pixel], shadow.column, shadow.row, shadow.spread,
+        [&](auto d, auto x, auto y) HWY_ATTR {
+            using V = decltype(x);
+            const auto moment = [&](int i) HWY_ATTR {
+                return hn::Sub(hn::Mul(y, hn::Set(d, shadow.xi[i])),
+                               hn::Mul(x, hn::Set(d, shadow.eta[i])));
+            };
+            const auto along = [&](int i) HWY_ATTR {
+                return hn::Sub(hn::Sub(hn::Set(d, shadow.along[i]),
+                                       hn::Mul(x, hn::Set(d, shadow.per_column[i]))),
+                               hn::Mul(y, hn::Set(d, shadow.per_row[i])));
+            };
+            const Lanes3<V> m{moment(0), moment(1), moment(2)}, w{along(0), along(1), along(2)};
+            if (shadow.ball) return hn::Le(dot(m, m), dot(w, w));
+            const auto beside = [&](V of, V one, V other) HWY_ATTR {
+                const V reach = hn::Add(hn::Abs(one), hn::Abs(other));
+                return hn::Le(hn::Abs(of), hn::Mul(reach, hn::Set(d, outermost)));
+            };
+            return hn::And(hn::And(beside(m.x, w.y, w.z), beside(m.y, w.z, w.x)),
+                           beside(m.z, w.x, w.y));
+        });
 }
 
 /// Those in the rectangle around a cell.
@@ -162,13 +138,12 @@ inline constexpr std::uint32_t most_beam_levels = 120;
 /// Lists the open places that a small cell covers. False if there are none.
 HWY_INLINE bool find_places(const WideScene& scene, BeamWorkspace& work, BeamCell& cell, int stride,
                             int lane) {
-    CellShadow shadow = shadow_of(scene, cell, work.scratch.get(), stride, lane);
+    const CellShadow shadow = shadow_of(scene, cell, work.scratch.get(), stride, lane);
     cell.first_place = static_cast<int>(work.covered.size());
     for (std::uint64_t rest = cell.pixels; rest != 0; rest &= rest - 1) {
         const int i = std::countr_zero(rest);
         PixelBeam& pixel = work.pixels[static_cast<std::size_t>(i)];
         ++pixel.tested;
-        if (shadow.large) turn_shadow(scene, work, cell, pixel, stride, lane, shadow);
         const std::uint32_t where =
             places_in(work, shadow, static_cast<std::size_t>(i)) & pixel.open;
         if (where != 0 && !(pixel.end < cell.key)) work.covered.push_back({i, where});

@@ -32,17 +32,16 @@ struct BeamRows {
     static constexpr int diameter = 8;
     static constexpr int column = 9;
     static constexpr int row = 10;
-    static constexpr int shadow = 11;  // 6, see CellShadow
-    static constexpr int near = 17;
-    static constexpr int depth = 18;
-    static constexpr int over_s = 19;
-    static constexpr int left = 20;  // the rectangle around, in columns and rows
-    static constexpr int right = 21;
-    static constexpr int top = 22;
-    static constexpr int bottom = 23;
-    static constexpr int nearest = 24;  // no point of the cell is nearer
-    static constexpr int axes = 25;     // 9
-    static constexpr int count = 34;
+    static constexpr int shadow = 11;  // 15, see CellShadow
+    static constexpr int near = 26;
+    static constexpr int depth = 27;
+    static constexpr int left = 28;  // the rectangle around, in columns and rows
+    static constexpr int right = 29;
+    static constexpr int top = 30;
+    static constexpr int bottom = 31;
+    static constexpr int nearest = 32;  // no point of the cell is nearer
+    static constexpr int axes = 33;     // 9
+    static constexpr int count = 42;
 };
 static_assert(BeamRows::count <= beam_scratch_rows);
 
@@ -125,7 +124,6 @@ HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& ce
     const LanePlace<V> place{hn::Mul(x, over_s), hn::Mul(y, over_s), over_s};
     hn::StoreU(place.column, d, row(BeamRows::column));
     hn::StoreU(place.row, d, row(BeamRows::row));
-    hn::StoreU(over_s, d, row(BeamRows::over_s));
     hn::StoreU(hn::Sub(depth, reach.any), d, row(BeamRows::nearest));
     hn::StoreU(seen_x.first, d, row(BeamRows::left));
     hn::StoreU(seen_x.last, d, row(BeamRows::right));
@@ -134,14 +132,25 @@ HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& ce
     return place;
 }
 
-/// The shadows of volumes in the picture, in columns and rows from their centres: the points with
-///     a x^2 + b x y + c y^2 <= 1       (balls: a, b, c), or
-///     |n . (x, y)| <= 1 for three n    (boxes: three times n's coordinates).
-/// A half axis reaches that far along X, Y and S.
+template <class V>
+HWY_INLINE Lanes3<V> cross(const Lanes3<V>& a, const Lanes3<V>& b) {
+    return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
+            hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+            hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+
+/// The shadows of volumes in the picture: the lines of sight to points that lie x columns and y
+/// rows from their centres', in coordinates in which a volume is the unit ball or the cube
+/// [-1,1]^3. For a half axis that reaches as far along X, Y and S as three numbers say, a line's
+/// points c have xi . c = x and eta . c = y, with
+///     xi = xi0 - x sigma,    eta = eta0 - y sigma:
+/// in perspective, what is deeper is seen nearer to the centre. So a line has, exactly,
+///     the moment    xi y - eta x = xi0 y - eta0 x    about the centre, and
+///     the direction xi x eta = xi0 x eta0 - x (sigma x eta0) - y (xi0 x sigma).
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE void cast_cells(D d, const LanePlace<V>& place, const Lanes3<V>& axes_x,
-                           const Lanes3<V>& axes_y, const Lanes3<V>& axes_s, bool ball,
-                           double* rows, int stride) {
+                           const Lanes3<V>& axes_y, const Lanes3<V>& axes_s, double* rows,
+                           int stride) {
     const auto aside = [&](V along, V away, V at) HWY_ATTR {
         return hn::Mul(hn::Sub(along, hn::Mul(at, away)), place.over_s);
     };
@@ -149,34 +158,17 @@ HWY_INLINE void cast_cells(D d, const LanePlace<V>& place, const Lanes3<V>& axes
         return Lanes3<V>{aside(along.x, axes_s.x, at), aside(along.y, axes_s.y, at),
                          aside(along.z, axes_s.z, at)};
     };
-    const Lanes3<V> x = of(axes_x, place.column), y = of(axes_y, place.row);
-    const V one = hn::Set(d, 1.0);
-    const auto put = [&](int i, V v) HWY_ATTR {
-        hn::StoreU(v, d, rows + static_cast<std::ptrdiff_t>(BeamRows::shadow + i) * stride);
+    const auto put = [&](int i, const Lanes3<V>& v) HWY_ATTR {
+        store3(v, d, rows + static_cast<std::ptrdiff_t>(BeamRows::shadow + i) * stride, stride);
     };
-    if (ball) {
-        const V a = dot(x, x), b = dot(x, y), c = dot(y, y);
-        const V inverse = hn::Div(one, hn::Sub(hn::Mul(a, c), hn::Mul(b, b)));
-        put(0, hn::Mul(c, inverse));
-        put(1, hn::Mul(hn::Set(d, -2.0), hn::Mul(b, inverse)));
-        put(2, hn::Mul(a, inverse));
-        return;
-    }
-    const auto area = [&](V ax, V ay, V bx, V by)
-                          HWY_ATTR { return hn::Abs(hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx))); };
-    const V yz = area(x.y, y.y, x.z, y.z), zx = area(x.z, y.z, x.x, y.x),
-            xy = area(x.x, y.x, x.y, y.y);
-    // Beside an edge lies all that the other two edges reach; one that is seen end on bounds
-    // nothing.
-    const auto edge = [&](int i, V ax, V ay, V reach) HWY_ATTR {
-        const auto seen = hn::Lt(hn::Zero(d), reach);
-        const V inverse = hn::IfThenElseZero(seen, hn::Div(one, reach));
-        put(2 * i, hn::Neg(hn::Mul(ay, inverse)));
-        put(2 * i + 1, hn::Mul(ax, inverse));
-    };
-    edge(0, x.x, y.x, hn::Add(xy, zx));
-    edge(1, x.y, y.y, hn::Add(xy, yz));
-    edge(2, x.z, y.z, hn::Add(zx, yz));
+    const Lanes3<V> xi = of(axes_x, place.column), eta = of(axes_y, place.row);
+    const Lanes3<V> sigma{hn::Mul(axes_s.x, place.over_s), hn::Mul(axes_s.y, place.over_s),
+                          hn::Mul(axes_s.z, place.over_s)};
+    put(0, xi);
+    put(3, eta);
+    put(6, cross(xi, eta));
+    put(9, cross(sigma, eta));
+    put(12, cross(xi, sigma));
 }
 
 /// How far the half axes go along a functional.

@@ -46,29 +46,32 @@ void frame_beam(PixelBeam& beam, const CompiledCamera& camera) {
     const glm::dvec3 y = camera.down - glm::dot(camera.down, along) * along;
     beam.across = glm::normalize(x);
     beam.down = glm::normalize(y - glm::dot(y, beam.across) * beam.across);
-    beam.xx = glm::dot(camera.across, beam.across);
-    beam.xy = glm::dot(camera.down, beam.across);
-    beam.yy = glm::dot(camera.down, beam.down);
 }
 
-/// Where a pixel's places are in the picture if p is `pixel` where S is 1: a beam is no narrower
-/// than its pixel.
+/// Where a place, given from the first one in pixels, is in the picture, from the first one too.
+glm::dvec2 in_picture(const TileView& view, const PixelBeam& beam, double x, double y) {
+    const glm::dvec3 aside = x * beam.across + y * beam.down;
+    const glm::dvec2 at{glm::dot(view.x, aside), glm::dot(view.y, aside)};
+    if (!view.perspective) return beam.ray.pixel_at_origin * at;
+    const double nearer = glm::dot(view.s, aside);
+    const double growth = beam.ray.pixel_growth;
+    return growth / (glm::dot(view.s, beam.ray.direction) + growth * nearer) *
+           (at - nearer * glm::dvec2{beam.column, beam.row});
+}
+
+/// Where a pixel's places are in the picture.
 void spread_places(TileView& view, const BeamWorkspace& work, PixelBeam& beam,
-                   const glm::dvec2& first, double pixel) {
+                   const glm::dvec2& first) {
     constexpr double rounding = 1e-5;
-    const double x_of_x = pixel / beam.xx;
-    const double y_of_y = pixel / beam.yy;
-    const double x_of_y = -beam.xy / beam.xx * y_of_y;
     float low_x = 0, high_x = 0, low_y = 0, high_y = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(work.places); ++i) {
-        const auto x = static_cast<float>(work.place_x[i] * x_of_x + work.place_y[i] * x_of_y);
-        const auto y = static_cast<float>(work.place_y[i] * y_of_y);
-        beam.columns[i] = x;
-        beam.rows[i] = y;
-        low_x = std::min(low_x, x);
-        high_x = std::max(high_x, x);
-        low_y = std::min(low_y, y);
-        high_y = std::max(high_y, y);
+        const glm::vec2 at{in_picture(view, beam, work.place_x[i], work.place_y[i])};
+        beam.columns[i] = at.x;
+        beam.rows[i] = at.y;
+        low_x = std::min(low_x, at.x);
+        high_x = std::max(high_x, at.x);
+        low_y = std::min(low_y, at.y);
+        high_y = std::max(high_y, at.y);
     }
     view.low_x = std::min(view.low_x, first.x + static_cast<double>(low_x) - rounding);
     view.high_x = std::max(view.high_x, first.x + static_cast<double>(high_x) + rounding);
@@ -139,13 +142,7 @@ void TileTracer::aim_beam(int i) {
     beam.tested = 0;
     beam.sight_count = 0;
     std::fill_n(beam.left.begin(), beams_->places, 1.0);
-    const glm::dvec3& along = beam.ray.direction;
-    const double share = view.perspective ? glm::dot(view.s, along) : 0;
-    double p = beam.ray.pixel_at_origin;  // where S is 1
-    if (view.perspective) p += beam.ray.pixel_growth / share;
-    beam.deeper_x = static_cast<float>(share * glm::dot(scene_.camera.across, along));
-    beam.deeper_y = static_cast<float>(share * glm::dot(scene_.camera.down, along));
-    spread_places(view, *beams_, beam, place_, p);
+    spread_places(view, *beams_, beam, place_);
     Lane& lane = lanes_[static_cast<std::size_t>(i)];
     lane = {i, 1, scene_.bounces, beam.ray, {}};
     if (!scene_.planes.empty() && kernels::nearest_plane(node_, to_node(lane.ray), lane.ray.start,

@@ -78,6 +78,24 @@ TEST_P(KnownSurfacesFromAllSides, have_no_cracks_in_balls) {
     }
 }
 
+/// All that is inside is opaque by area: in perspective the rays through the places of a pixel
+/// part, and cells that touch are not equally deep. In balls too, though what a set covers of a
+/// ball is less than the ball: inside, its neighbours have the rest.
+TEST_P(KnownSurfacesFromAllSides, are_opaque_by_area) {
+    for (const KnownView& view : known_views()) {
+        for (const char* volume : {"auto", "sphere"}) {
+            const CompiledScene scene =
+                compiled(view, std::string("covers: area volume: ") + volume);
+            const std::string how = view.name + " in " + volume;
+            const SurfaceVerdict verdict = judge(GetParam(), view, scene, rendered(scene));
+            EXPECT_EQ(verdict.thin, 0) << how << ": " << verdict.least_alpha;
+            const Frame exact = render_natively(scene, Numeric::double_).frame;
+            const SurfaceVerdict other = judge(GetParam(), view, scene, exact);
+            EXPECT_EQ(other.thin, 0) << how << " in double: " << other.least_alpha;
+        }
+    }
+}
+
 /// Normals of flat faces are exact but for rays that come in by the rim of a thin volume, and those
 /// of curved ones near enough, where no ray is in a face between two hulls by design.
 TEST_P(KnownSurfacesFromAllSides, are_turned_as_they_are) {

@@ -1,9 +1,7 @@
 // Local covers by area in the wide engine (host/wide/area/area_search.hpp): what the reference
 // kernels show in double. Where all rays of a tile are parallel the two do the same sums, and the
 // pictures are the same but for ties. In perspective the cells of a pixel are put in the order in
-// which they lie from the eye, not in that of their depths along the pixel's first ray, and are as
-// the ray through their middle sees them: at 48 columns, where a pixel is a 70th of the distance,
-// that is a few thousandths of a pixel.
+// which they lie from the eye, not in that of their depths along the pixel's first ray.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
