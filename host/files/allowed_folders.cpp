@@ -45,7 +45,9 @@ std::string shell_word(const fs::path& folder) {
 AllowedFolders::AllowedFolders(const std::string& scene_path,
                                const std::vector<std::string>& allowed) {
     std::error_code failed;
-    const fs::path own = fs::weakly_canonical(fs::absolute(scene_path).parent_path(), failed);
+    // A text in memory may have no name: then it lies in the folder that one is in.
+    const fs::path whole = fs::current_path(failed) / scene_path;
+    const fs::path own = fs::weakly_canonical(whole.parent_path(), failed);
     if (failed) throw Error(ErrorKind::file, fmt::format("{}: cannot be opened", scene_path));
     folders_.push_back(start_of(own));
     for (const std::string& folder : allowed) {

@@ -43,8 +43,9 @@ TEST(Srgb, a_byte_is_the_rounded_value_of_the_curve) {
     std::mt19937 random(3);
     for (int i = 0; i < 1'000'000; ++i) {
         // Evenly over the numbers from 0 to 1, and over their values.
-        const float x = i % 2 == 0 ? std::bit_cast<float>(random() % 0x3f80'0001)
-                                   : static_cast<float>(random()) / 4294967296.0F;
+        const float x =
+            i % 2 == 0 ? std::bit_cast<float>(static_cast<std::uint32_t>(random() % 0x3f80'0001))
+                       : static_cast<float>(random()) / 4294967296.0F;
         ASSERT_EQ(int{srgb_byte(x)}, byte_by_the_curve(x)) << x;
     }
 }
