@@ -16,7 +16,7 @@ enum class Step : std::uint8_t {
     add_product,
     copy,
     add,
-    product_add,  // what the adder gets: docs of isa::Operation
+    product_add,  // as isa::Operation
     tap_add,
     tap_product_add,
     to_float,

@@ -20,7 +20,8 @@ struct Reached {
 Reached reached(ProcessorNode& node, const std::array<std::uint16_t, window_count>& shown,
                 std::uint32_t address, std::uint32_t bytes) {
     const std::int64_t end = std::int64_t{address} + bytes;
-    if (address < 0xA000) return {node.fast_memory().name(), end, node.fast_memory().used_bytes()};
+    if (address < first_window_page * page_bytes)
+        return {node.fast_memory().name(), end, node.fast_memory().used_bytes()};
     const std::uint32_t window = address / page_bytes - first_window_page;
     if (window >= window_count) return {"no bank", end, 0};
     const Bank& bank = bank_of_window(node, window);

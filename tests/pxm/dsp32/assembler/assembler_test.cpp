@@ -59,7 +59,7 @@ TEST(Assembler, the_example_of_its_document_is_a_program) {
     const std::size_t start = document.find("        .equ    count");
     ASSERT_NE(start, std::string::npos);
     const Object object = object_in(document.substr(start, document.find("```", start) - start));
-    EXPECT_EQ(object.text.size(), 10U);
+    EXPECT_EQ(object.text.size(), 9U);
     EXPECT_EQ(object.data.size(), 6U);
 }
 
