@@ -19,7 +19,7 @@ Statistics some_statistics() {
     s.numeric = "float";
     s.size = {16, 8};
     s.threads = 3;
-    s.seconds = {1, 2, 3, 4, 5, 15};
+    s.seconds = {1, 2, 3, 4, 0.5, 4.5, 15};
     s.rays.eye_rays = 128;
     s.rays.hits = 50;
     s.rays.volumes_tested = 999;
@@ -67,7 +67,7 @@ TEST(StatisticsJson, a_native_run_has_the_documented_keys) {
         EXPECT_FALSE(json.contains(key)) << key;
     }
     EXPECT_EQ(keys(json["seconds"]),
-              (Keys{"parse", "compile", "load", "render", "write", "total"}));
+              (Keys{"parse", "compile", "load", "render", "encode", "write", "total"}));
     EXPECT_EQ(keys(json["rays"]), (Keys{"eye", "light", "reflect"}));
     EXPECT_EQ(json["scene"], "a \"b\".pxm");
     EXPECT_EQ(json["size"], (Json{16, 8}));

@@ -79,7 +79,7 @@ TEST_P(KnownSurfaces, are_opaque_by_area) {
         choice.numeric = native_numeric(scene);
         const SurfaceVerdict verdict =
             judge(GetParam(), view(name), scene, load(scene, choice)->run(scene.crop, {}).frame);
-        EXPECT_GT(verdict.flat, 20) << name;
+        EXPECT_GT(verdict.flat, 4) << name;
         EXPECT_EQ(verdict.thin, 0) << name << ' ' << verdict.least_alpha;
     }
 }

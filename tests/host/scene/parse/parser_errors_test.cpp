@@ -18,10 +18,10 @@ TEST(ParserErrors, a_misspelt_directive_is_told_the_nearest) {
 }
 
 TEST(ParserErrors, an_unknown_directive_is_told_what_there_is) {
-    EXPECT_EQ(parse_messages("camera { zoom: 3 }"),
-              "s.pxm:1:10: error: unknown directive 'zoom' in 'camera' "
-              "(it takes eye, look, up, fov, orthographic)\n"
-              "    camera { zoom: 3 }\n"
+    EXPECT_EQ(parse_messages("camera { wide: 3 }"),
+              "s.pxm:1:10: error: unknown directive 'wide' in 'camera' "
+              "(it takes eye, look, up, fov, orthographic, zoom)\n"
+              "    camera { wide: 3 }\n"
               "             ^");
 }
 
