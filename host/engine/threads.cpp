@@ -1,9 +1,11 @@
 #include "host/engine/threads.hpp"
 
 #include <omp.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <condition_variable>
+#include <cstddef>
 #include <mutex>
 #include <new>
 #include <system_error>
@@ -14,8 +16,31 @@ namespace pxm::host {
 
 namespace {
 
+/// Address space that is kept free while threads are tried, so that there is room for what they and
+/// OpenMP need besides their stacks: under a limit that just holds the stacks, OpenMP would start
+/// some threads and then end the process.
+class Reserve {
+  public:
+    explicit Reserve(int threads)
+        : bytes_((std::size_t{64} + 2 * static_cast<std::size_t>(threads)) << 20U),
+          place_(mmap(nullptr, bytes_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1,
+                      0)) {}
+    Reserve(const Reserve&) = delete;
+    Reserve& operator=(const Reserve&) = delete;
+    ~Reserve() {
+        if (is_there()) munmap(place_, bytes_);
+    }
+    [[nodiscard]] bool is_there() const { return place_ != MAP_FAILED; }
+
+  private:
+    std::size_t bytes_;
+    void* place_;
+};
+
 /// Threads that wait for each other, so that all are there at once: how many of them start.
 int start_at_once(int count) {
+    const Reserve reserve(count);
+    if (!reserve.is_there()) return 0;
     std::mutex mutex;
     std::condition_variable all_there;
     bool done = false;
