@@ -95,24 +95,25 @@ TEST_F(ProgramFiles, what_a_killed_run_left_is_removed_by_the_next) {
                  "ifs grass { newmap scale: 0.707,0.96,0.707 rotate: y,45 translate: -1,0,0\n"
                  "newmap scale: 0.707,0.96,0.707 rotate: y,45 translate: 1,0,0 }\n");
     folder.write("left", "");
-    // A pipe without a reader keeps a run waiting, its picture whole beside.
+    // A pipe without a reader keeps a run waiting, its picture whole beside: of formats other than
+    // PNG, which goes into the pipe as it is made.
     const Outcome killed = shell(
-        "mkfifo pipe.png; TMPDIR=. $PXM render tetra.pxm --size 8x8 -o pipe.png --quiet & "
+        "mkfifo pipe.exr; TMPDIR=. $PXM render tetra.pxm --size 8x8 -o pipe.exr --quiet & "
         "while ! ls .pxm-part-* > /dev/null 2>&1; do sleep 0.05; done; kill -9 $!; wait $!; "
-        "ls .pxm-part-* | wc -l; $PXM render tetra.pxm --size 8x8 -o a.png --quiet; "
+        "ls .pxm-part-* | wc -l; $PXM render tetra.pxm --size 8x8 -o a.exr --quiet; "
         "ls .pxm-part-* | wc -l");
     EXPECT_EQ(killed.out, "1\n0\n");
-    EXPECT_TRUE(folder.has("a.png"));
+    EXPECT_TRUE(folder.has("a.exr"));
 }
 
 TEST_F(ProgramFiles, a_run_that_lives_keeps_its_part_while_others_come_and_go) {
     const Outcome both = shell(
-        "mkfifo pipe.png; TMPDIR=. $PXM render tetra.pxm --size 8x8 -o pipe.png --quiet & "
+        "mkfifo pipe.exr; TMPDIR=. $PXM render tetra.pxm --size 8x8 -o pipe.exr --quiet & "
         "while ! ls .pxm-part-* > /dev/null 2>&1; do sleep 0.05; done; "
-        "$PXM render tetra.pxm --size 8x8 -o a.png --quiet; cat pipe.png > b.png; wait $!; "
+        "$PXM render tetra.pxm --size 8x8 -o a.exr --quiet; cat pipe.exr > b.exr; wait $!; "
         "echo $?; ls -A | grep -c part");
     EXPECT_EQ(both.out, "0\n0\n") << both.err;
-    EXPECT_TRUE(folder.read("b.png") == folder.read("a.png"));
+    EXPECT_TRUE(folder.read("b.exr") == folder.read("a.exr"));
 }
 
 /// Whether the system lets a test have namespaces of its own, in which it mounts and is process 1.

@@ -69,6 +69,9 @@ TEST_P(SceneInParts, is_the_same_natively) {
     Arguments whole = channels, other = channels;
     whole.insert(whole.end(), {"--size", "40x28"});
     other.insert(other.end(), {"--size", "23x17", "--numeric", "double", "--samples", "2"});
+    // A frame with an open shutter is not made in parts.
+    if (GetParam().starts_with("animation/"))
+        other.insert(other.end(), {"--set", "animation.shutter=0"});
     expect_same({1, 7, 64}, whole);
     expect_same({2}, other);
 }
