@@ -108,7 +108,7 @@ PartReader::PartReader(const std::string& path) {
     const std::string entries = file.read(ending.entries_at, ending.entries * sizeof(UnitEntry));
     if (digest_of_all(head, entries) != ending.digest) refuse(path, "is damaged");
     entries_.resize(ending.entries);
-    std::memcpy(entries_.data(), entries.data(), entries.size());
+    if (!entries.empty()) std::memcpy(entries_.data(), entries.data(), entries.size());
     try {
         heading_ = heading_of_json(head.substr(first_line.size()));
     } catch (const std::exception&) {

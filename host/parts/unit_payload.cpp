@@ -148,7 +148,7 @@ bool take_runs(std::string_view bytes, Words& words) {
     Word head = 0;
     while (take(bytes, head)) {
         const std::size_t count = head & ~equal_bit;
-        if (count > words.size() - at) return false;
+        if (count == 0 || count > words.size() - at) return false;
         if ((head & equal_bit) != 0) {
             Word value = 0;
             if (!take(bytes, value)) return false;
