@@ -1,6 +1,7 @@
 // Laws of time in a scene: t, frame, key(...), blend, and the block that they belong to.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/scene/check/check.hpp"
