@@ -177,6 +177,8 @@ RunControl control_of_frame(const RunControl& control, std::size_t frame, std::s
 ExitCode render_frames(const FilmJob& job) {
     PhaseClock clock;
     const Scene scene = scene_of(job.request);
+    if (!job.frames.empty() && !scene.animation)
+        throw Error(ErrorKind::setting, "--frames: the scene has no 'animation'");
     const long count = scene.animation ? scene.animation->frames : 1;
     const std::vector<long> frames = job.frames.empty()
                                          ? frames_of(fmt::format("0-{}", count - 1), count)

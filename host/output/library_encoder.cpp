@@ -11,6 +11,7 @@
 #include "host/output/encoder.hpp"
 #include "host/output/pixel_values.hpp"
 #include "host/output/row_bands.hpp"
+#include "host/process/in_order.hpp"
 #include "host/text/digest.hpp"
 
 namespace pxm::host {

@@ -4,6 +4,7 @@
 #include "host/output/pixel_values.hpp"
 #include "host/output/png.hpp"
 #include "host/output/row_bands.hpp"
+#include "host/process/in_order.hpp"
 
 namespace pxm::host {
 

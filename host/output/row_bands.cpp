@@ -1,5 +1,7 @@
 #include "host/output/row_bands.hpp"
 
+#include <utility>
+
 namespace pxm::host {
 
 std::shared_ptr<RowBands::Open> RowBands::open(long number) {

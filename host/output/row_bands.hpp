@@ -3,6 +3,7 @@
 // came about.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -10,7 +11,6 @@
 #include <memory>
 #include <mutex>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "host/engine/frame.hpp"
@@ -70,30 +70,6 @@ class RowBands {
     std::size_t pixel_bytes_;
     std::mutex mutex_;
     std::map<long, std::shared_ptr<Open>> open_;  // by the number of the band in the image
-};
-
-/// Things that come in any order and go in that of their numbers.
-template <class Thing>
-class InOrder {
-  public:
-    /// `take(thing)` is called for all whose turn has come, by one thread at a time.
-    template <class Take>
-    void add(long number, Thing thing, const Take& take) {
-        const std::lock_guard lock(mutex_);
-        waiting_.emplace(number, std::move(thing));
-        while (!waiting_.empty() && waiting_.begin()->first == next_) {
-            take(waiting_.begin()->second);
-            waiting_.erase(waiting_.begin());
-            ++next_;
-        }
-    }
-    /// How many have gone.
-    [[nodiscard]] long count() const { return next_; }
-
-  private:
-    std::mutex mutex_;
-    long next_ = 0;
-    std::map<long, Thing> waiting_;
 };
 
 }  // namespace pxm::host

@@ -4,45 +4,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
-#include <mutex>
+#include <utility>
 
 #include "host/error.hpp"
 #include "host/parts/part_file.hpp"
+#include "host/process/in_order.hpp"
 #include "host/text/printable.hpp"
 
 namespace pxm::host {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-/// Units come from the threads in any order and go to the file in theirs, so that a part made twice
-/// is the same file.
-class InOrder {
-  public:
-    InOrder(PartWriter& file, const std::vector<std::size_t>& wanted)
-        : file_(file), wanted_(wanted) {}
-
-    void add(std::size_t unit, std::string payload) {
-        const std::lock_guard lock(mutex_);
-        waiting_.emplace(unit, std::move(payload));
-        while (!waiting_.empty() && waiting_.begin()->first == wanted_[written_]) {
-            file_.add(waiting_.begin()->first, waiting_.begin()->second);
-            waiting_.erase(waiting_.begin());
-            ++written_;
-        }
-    }
-
-  private:
-    PartWriter& file_;
-    const std::vector<std::size_t>& wanted_;  // sorted
-    std::mutex mutex_;
-    std::map<std::size_t, std::string> waiting_;
-    std::size_t written_ = 0;
-};
-
-}  // namespace
 
 long part_of_unit(std::size_t unit, std::size_t units, long parts) {
     constexpr std::size_t stretches = 32;  // a part has, at least, where there are so many units
@@ -66,11 +37,15 @@ std::string part_name(long part, long parts) {
 bool write_part(const UnitRender& render, const std::vector<std::size_t>& wanted,
                 const std::string& path) {
     PartWriter file(path, render.heading);
-    InOrder order(file, wanted);
+    // Units come from the threads in any order and go to the file in theirs, so that a part made
+    // twice is the same file.
+    InOrder<std::pair<std::size_t, std::string>> order;
     const std::vector<UnitPixels> units = units_of(render.heading.grid);
     const TakeUnit take = [&](const FinishedUnit& unit) {
         const AlarmSums alarms = mark_alarms(render.heading.alarms, unit.pixels);
-        order.add(unit.index, payload_of(unit, alarms, render.heading.channels));
+        const auto place = std::ranges::lower_bound(wanted, unit.index) - wanted.begin();
+        order.add(place, {unit.index, payload_of(unit, alarms, render.heading.channels)},
+                  [&](const auto& next) { file.add(next.first, next.second); });
     };
     const UnitsRun run = render.started.loaded->run_units(render.heading.grid,
                                                           {units, wanted, take}, render.control);

@@ -74,6 +74,9 @@ TEST_F(Films, mistakes_are_told_before_anything_is_rendered) {
     refuse({"--frames", "0-1", "-o", "none/%d.png"}, 4,
            "cannot write none/0.png: its folder does not exist");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"film.pxm"});
+    folder.write("still.pxm", "ifs a { newmap scale: 0.5 }");
+    expect_refusal(folder, {"render", "still.pxm", "--frames", "0", "-o", "a.png"}, 2,
+                   "--frames: the scene has no 'animation'");
 }
 
 TEST_F(Films, a_frame_that_does_not_contract_is_named) {
