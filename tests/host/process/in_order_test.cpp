@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace pxm::host {
@@ -23,6 +24,21 @@ TEST(InOrder, hands_on_all_things_by_their_numbers_whatever_order_they_come_in) 
             in_order.add(number, number, [&](long thing) { got.push_back(thing); });
         EXPECT_EQ(got, expected);
     }
+}
+
+// A writer of EXR that is called again after a write that failed never returns.
+TEST(InOrder, takes_nothing_more_after_what_has_thrown) {
+    InOrder<long> in_order;
+    std::vector<long> got;
+    const auto take = [&](long thing) {
+        got.push_back(thing);
+        if (thing == 1) throw std::runtime_error("full");
+    };
+    in_order.add(0, 0, take);
+    in_order.add(2, 2, take);
+    EXPECT_THROW(in_order.add(1, 1, take), std::runtime_error);
+    in_order.add(3, 3, take);
+    EXPECT_EQ(got, (std::vector<long>{0, 1}));
 }
 
 }  // namespace
