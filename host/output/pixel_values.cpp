@@ -33,8 +33,9 @@ class ByteTable {
         }
     }
 
-    /// Precondition: `bits` are those of a number from 0 to 1.
-    [[nodiscard]] unsigned char of(std::uint32_t bits) const {
+    [[nodiscard]] unsigned char of(float linear) const {
+        if (!(linear > 0)) return 0;
+        const auto bits = std::bit_cast<std::uint32_t>(std::min(linear, 1.0F));
         std::uint32_t byte = least_[bits >> table_shift];
         while (begins_[byte + 1] <= bits) ++byte;
         return static_cast<unsigned char>(byte);
@@ -55,6 +56,11 @@ class ByteTable {
     std::array<std::uint32_t, steps + 2> begins_{};
     std::array<unsigned char, (bits_of_one >> table_shift) + 1> least_{};
 };
+
+const ByteTable& byte_table() {
+    static const ByteTable table;
+    return table;
+}
 
 void append_aov(const PixelRecord& pixel, Aov aov, float*& to) {
     const auto put = [&](auto value) { *to++ = static_cast<float>(value); };
@@ -90,15 +96,12 @@ float srgb_from_linear(float linear) {
     return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
 }
 
-unsigned char srgb_byte(float linear) {
-    static const ByteTable table;
-    if (!(linear > 0)) return 0;
-    return table.of(std::bit_cast<std::uint32_t>(std::min(linear, 1.0F)));
-}
+unsigned char srgb_byte(float linear) { return byte_table().of(linear); }
 
 void put_srgb_bytes(std::span<const PixelRecord> pixels, unsigned char* to) {
+    const ByteTable& table = byte_table();  // asked for once: it is behind a guard
     for (const PixelRecord& pixel : pixels) {
-        for (const float value : pixel.color) *to++ = srgb_byte(value);
+        for (const float value : pixel.color) *to++ = table.of(value);
     }
 }
 

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <memory>
 #include <set>
+#include <utility>
 
 #include "host/output/image.hpp"
 #include "host/parts/part_run.hpp"
@@ -12,23 +11,6 @@
 namespace pxm::host {
 
 namespace {
-
-/// Units that are written together, by the row they begin in: whole rows of the picture. The pixels
-/// of a node are in all rows, so that nodes are written at once.
-std::map<long, std::vector<std::size_t>> rows_of_units(const PartSet& parts) {
-    std::map<long, std::vector<std::size_t>> rows;
-    const std::vector<UnitPixels>& units = parts.units();
-    const bool nodes = parts.heading().grid.of_nodes();
-    for (std::size_t i = 0; i < units.size(); ++i) rows[nodes ? 0 : units[i].y0].push_back(i);
-    return rows;
-}
-
-CropWindow window_of_rows(const PartSet& parts, const std::vector<std::size_t>& units) {
-    const UnitGrid& grid = parts.heading().grid;
-    if (grid.of_nodes()) return grid.window;
-    const UnitPixels& unit = parts.units()[units.front()];
-    return {grid.window.x0, unit.y0, grid.window.x1, unit.y1};
-}
 
 void put(const UnitPixels& unit, const std::vector<PixelRecord>& pixels, Frame& frame) {
     std::size_t i = 0;
@@ -77,31 +59,61 @@ class Counts {
     AlarmSums alarms_;
 };
 
+/// The pixels of a node are in all rows: they are put together first. False if it was stopped.
+template <class GoOn>
+bool append_nodes(PartSet& parts, Counts& counts, ImageWriter& writer, GoOn go_on) {
+    Frame frame(parts.heading().statistics.size, parts.heading().grid.window);
+    for (std::size_t i = 0; i < parts.units().size(); ++i) {
+        if (!go_on()) return false;
+        if (!parts.has(i)) continue;
+        const StoredUnit stored = parts.read(i);
+        put(parts.units()[i], stored.pixels, frame);
+        counts.add(i, stored);
+    }
+    writer.append(frame);
+    return true;
+}
+
+/// Tiles go into the picture as they are read, in the memory of the one before.
+template <class GoOn>
+bool append_tiles(PartSet& parts, Counts& counts, ImageWriter& writer, GoOn go_on) {
+    const PixelSize& image = parts.heading().statistics.size;
+    Frame frame;
+    for (std::size_t i = 0; i < parts.units().size(); ++i) {
+        if (!go_on()) return false;
+        const UnitPixels& unit = parts.units()[i];
+        const CropWindow window{unit.x0, unit.y0, unit.x1, unit.y1};
+        if (!parts.has(i)) {
+            writer.append(Frame(image, window));
+            continue;
+        }
+        StoredUnit stored = parts.read(i, std::move(frame.pixels));
+        counts.add(i, stored);
+        frame.size = image;
+        frame.crop = window;
+        frame.pixels = std::move(stored.pixels);
+        writer.append(frame);
+    }
+    return true;
+}
+
 }  // namespace
 
 std::optional<JoinedPicture> join(PartSet& parts, const std::string& path,
                                   const RunControl& control) {
     const PartHeading& heading = parts.heading();
-    const CropWindow& window = heading.grid.window;
     require_image_format(path, heading.channels);
-    ImageWriter writer(path, window, heading.channels, heading.metadata);
+    ImageWriter writer(path, heading.grid.window, heading.channels, heading.metadata);
     Counts counts(heading);
-    const auto rows = rows_of_units(parts);
-    std::size_t done = 0;
-    for (const auto& [top, units] : rows) {
-        if (control.stop != nullptr && *control.stop) return std::nullopt;
-        Frame frame(heading.statistics.size, window_of_rows(parts, units));
-        for (const std::size_t unit : units) {
-            if (!parts.has(unit)) continue;
-            const StoredUnit stored = parts.read(unit);
-            put(parts.units()[unit], stored.pixels, frame);
-            counts.add(unit, stored);
-        }
-        writer.append(frame);
-        ++done;
+    const auto progress = [&, done = std::size_t{0}]() mutable {
         if (control.progress)
-            control.progress(static_cast<double>(done) / static_cast<double>(rows.size()));
-    }
+            control.progress(static_cast<double>(++done) /
+                             static_cast<double>(parts.units().size()));
+        return control.stop == nullptr || !*control.stop;
+    };
+    const bool whole = heading.grid.of_nodes() ? append_nodes(parts, counts, writer, progress)
+                                               : append_tiles(parts, counts, writer, progress);
+    if (!whole) return std::nullopt;
     writer.finish();
     JoinedPicture picture{counts.all(heading.alarms), "", parts.missing()};
     picture.warnings =

@@ -70,15 +70,15 @@ std::vector<std::size_t> PartSet::missing() const {
     return missing;
 }
 
-StoredUnit PartSet::read(std::size_t unit) {
+StoredUnit PartSet::read(std::size_t unit, std::vector<PixelRecord> memory) {
     const Place& place = places_[unit];
     const std::string& path = paths_[static_cast<std::size_t>(place.file)];
     if (open_file_ != place.file) {
         open_ = std::make_unique<RegularFile>(path);
         open_file_ = place.file;
     }
-    auto stored =
-        unit_of_payload(read_payload(*open_, place.entry), units_[unit].count(), heading_.channels);
+    auto stored = unit_of_payload(read_payload(*open_, place.entry), units_[unit].count(),
+                                  heading_.channels, std::move(memory));
     if (!stored) refuse(path, "is damaged");
     return *std::move(stored);
 }

@@ -34,7 +34,8 @@ class PartSet {
     /// The numbers of the units that no part has.
     [[nodiscard]] std::vector<std::size_t> missing() const;
     /// Reads a unit that is there. Throws Error(ErrorKind::file) if it is not as it was written.
-    [[nodiscard]] StoredUnit read(std::size_t unit);
+    /// `memory` may be the pixels of another unit of these parts.
+    [[nodiscard]] StoredUnit read(std::size_t unit, std::vector<PixelRecord> memory = {});
     /// What messages call a unit: "tile 64,128" or "node 17".
     [[nodiscard]] std::string name_of(std::size_t unit) const;
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace pxm::host {
 
@@ -188,7 +189,8 @@ std::string payload_of(const FinishedUnit& unit, const AlarmSums& alarms,
 }
 
 std::optional<StoredUnit> unit_of_payload(std::string_view bytes, std::size_t pixels,
-                                          const std::vector<Aov>& channels) {
+                                          const std::vector<Aov>& channels,
+                                          std::vector<PixelRecord> memory) {
     StoredUnit unit;
     std::uint64_t has_node = 0;
     if (!take(bytes, unit.rays) || !take(bytes, unit.alarms) || !take(bytes, has_node))
@@ -204,6 +206,7 @@ std::optional<StoredUnit> unit_of_payload(std::string_view bytes, std::size_t pi
     }
     Words planes(pixels * words_a_pixel(channels));
     if (!take_runs(bytes, planes)) return std::nullopt;
+    unit.pixels = std::move(memory);
     unit.pixels.resize(pixels);
     put_planes(planes, channels, unit.pixels);
     return unit;

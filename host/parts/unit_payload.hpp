@@ -24,8 +24,10 @@ struct StoredUnit {
 [[nodiscard]] std::string payload_of(const FinishedUnit& unit, const AlarmSums& alarms,
                                      const std::vector<Aov>& channels);
 
-/// The unit of so many pixels; empty if the bytes are none.
+/// The unit of so many pixels; empty if the bytes are none. `memory` becomes its pixels: any that
+/// are as new but for these channels, such as those of another unit.
 [[nodiscard]] std::optional<StoredUnit> unit_of_payload(std::string_view bytes, std::size_t pixels,
-                                                        const std::vector<Aov>& channels);
+                                                        const std::vector<Aov>& channels,
+                                                        std::vector<PixelRecord> memory = {});
 
 }  // namespace pxm::host

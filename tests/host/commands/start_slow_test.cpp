@@ -47,5 +47,14 @@ TEST_F(Start, takes_it_where_a_picture_needs_it) {
     EXPECT_TRUE(loads_openimageio(folder, {"compare", "a.exr", "a.exr"}));
 }
 
+TEST_F(Start, measures_no_clock) {
+    const Outcome outcome =
+        run_program(folder, {"--version"}, {"LD_DEBUG=bindings", "LD_BIND_NOW=1"});
+    const auto at = outcome.err.find("platform15TimerResolution");
+    ASSERT_NE(at, std::string::npos);
+    const std::string line = outcome.err.substr(outcome.err.rfind('\n', at) + 1);
+    EXPECT_NE(line.substr(0, line.find('\n')).find("to " + binary), std::string::npos) << line;
+}
+
 }  // namespace
 }  // namespace pxm::test
