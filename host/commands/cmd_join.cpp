@@ -5,11 +5,14 @@
 #include <memory>
 
 #include "host/commands/cmd.hpp"
+#include "host/commands/join_film.hpp"
 #include "host/commands/option_checks.hpp"
+#include "host/error.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/output/image.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/output/statistics_json.hpp"
+#include "host/parts/film_parts.hpp"
 #include "host/parts/join.hpp"
 #include "host/process/interrupt.hpp"
 #include "host/process/progress.hpp"
@@ -24,6 +27,7 @@ struct JoinArguments {
     std::string folder;
     std::string out;
     std::string stats;
+    std::string format;
     bool quiet = false;
 };
 
@@ -40,6 +44,13 @@ void require_outputs(const JoinArguments& arguments, const PartSet& parts) {
 }
 
 ExitCode run_join(const JoinArguments& arguments) {
+    if (is_film_folder(arguments.folder))
+        return join_film({arguments.folder,
+                          {arguments.out, arguments.format},
+                          arguments.stats,
+                          arguments.quiet});
+    if (!arguments.format.empty())
+        throw Error(ErrorKind::setting, "--format: it is of the frames of a film (-o -)");
     const auto start = std::chrono::steady_clock::now();
     PartSet parts = read_parts(arguments.folder);
     require_image_format(arguments.out, parts.heading().channels);
@@ -77,10 +88,14 @@ ExitCode run_join(const JoinArguments& arguments) {
 
 AddedCommand add_join_command(CommandLine& line) {
     const auto a = std::make_shared<JoinArguments>();
-    CommandOptions command = line.add_command("join", "Join the parts of a picture");
+    CommandOptions command = line.add_command("join", "Join the parts of a picture or a film");
     command.add_option("folder", a->folder, "The folder with the parts").required();
-    command.add_option("-o,--out", a->out, "The picture, by extension png, exr, tif, jpg, ...")
+    command
+        .add_option("-o,--out", a->out,
+                    "The picture, by extension png, exr, tif, jpg, ...; of a film frames/%04d.png, "
+                    "film.mp4, film.webm, film.gif, or - with --format")
         .required();
+    command.add_option("--format", a->format, "With -o -: y4m or ppm, frame after frame");
     command.add_option("--stats", a->stats, "Write statistics to this JSON file");
     command.add_flag("--quiet", a->quiet, "No progress bar, no summary");
     command.check_all(some_text());

@@ -8,13 +8,14 @@
 #include <memory>
 
 #include "host/commands/cmd.hpp"
+#include "host/commands/film_stream.hpp"
 #include "host/commands/option_checks.hpp"
+#include "host/commands/render_film_parts.hpp"
 #include "host/commands/render_frames.hpp"
 #include "host/commands/render_parts.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/output/cost_model_json.hpp"
-#include "host/output/frame_list.hpp"
 #include "host/output/image.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/output/statistics_json.hpp"
@@ -178,14 +179,6 @@ PartsRequest parts_request_of(const RenderArguments& arguments) {
     PartsRequest parts;
     parts.channels = aovs_of(arguments);
     parts.render = request_of(arguments);
-    if (!arguments.frames.empty()) {
-        const Scene scene = scene_of(parts.render);
-        const auto frames =
-            frames_of(arguments.frames, scene.animation ? scene.animation->frames : 1);
-        if (frames.size() > 1)
-            throw Error(ErrorKind::setting, "--frames: parts are of one picture: say one frame");
-        parts.render.frame = static_cast<double>(frames.front());
-    }
     parts.metadata = [&arguments](const RenderResult& result) {
         return metadata_of(result.statistics, arguments, result);
     };
@@ -261,18 +254,33 @@ ExitCode render_film(const RenderArguments& arguments) {
     return render_frames(job);
 }
 
-ExitCode render_in_parts(const RenderArguments& arguments) {
-    const PartsRequest request = parts_request_of(arguments);
+/// A film in parts, which has no other -o than its own.
+ExitCode render_film_in_parts(const RenderArguments& arguments, const FilmRequest& film) {
     if (!arguments.claim.empty()) {
-        if (!arguments.out.empty())
-            throw Error(ErrorKind::setting, "-o: the parts are put into the folder of --claim");
-        return render_claimed(request, arguments.claim, arguments.part, arguments.claim_expiry);
+        if (!arguments.part.empty())
+            throw Error(ErrorKind::setting, "--part: of a film each frame is a part (--claim)");
+        return render_claimed_film(film, arguments.claim, arguments.claim_expiry);
     }
+    if (!arguments.part.empty()) return render_part_of_film(film, arguments.part, arguments.out);
+    return render_film_keeping(film, arguments.keep, {arguments.out, arguments.format});
+}
+
+ExitCode render_in_parts(const RenderArguments& arguments) {
+    PartsRequest request = parts_request_of(arguments);
+    if (!arguments.claim.empty() && !arguments.out.empty())
+        throw Error(ErrorKind::setting, "-o: the parts are put into the folder of --claim");
+    if (!arguments.frames.empty()) {
+        const auto frames = frames_of_scene(arguments.frames, scene_of(request.render));
+        if (frames.size() > 1)
+            return render_film_in_parts(arguments, {request, arguments.frames, frames});
+        request.render.frame = static_cast<double>(frames.front());
+    }
+    if (!arguments.claim.empty())
+        return render_claimed(request, arguments.claim, arguments.part, arguments.claim_expiry);
     if (!arguments.part.empty()) return render_one_part(request, arguments.part, arguments.out);
     const std::string out = arguments.out.empty() ? default_out(arguments.scene) : arguments.out;
-    PartsRequest kept = request;
-    kept.render.outputs = outputs_of(arguments, out);
-    return render_keeping(kept, arguments.keep, out);
+    request.render.outputs = outputs_of(arguments, out);
+    return render_keeping(request, arguments.keep, out);
 }
 
 ExitCode render_command(const RenderArguments& arguments) {

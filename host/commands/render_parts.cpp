@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -31,15 +32,6 @@ namespace {
 
 const Environment environment = [](const char* name) { return std::getenv(name); };
 
-/// A picture's statistics are the sums over its parts.
-void require_no_stats(const PartsRequest& request, const char* option) {
-    if (request.stats.empty()) return;
-    throw Error(ErrorKind::setting,
-                fmt::format("--stats: a part has none of its own with {}; pxm join --stats {} "
-                            "writes those of the picture",
-                            option, printable_path(request.stats)));
-}
-
 /// Parts of another picture in the folder are an error: better now than when all is rendered.
 void require_same_picture(const std::string& folder, const PartHeading& heading) {
     std::string why;
@@ -48,8 +40,19 @@ void require_same_picture(const std::string& folder, const PartHeading& heading)
     if (const auto part = find_part(paths.front(), why)) PartSet(heading).add(paths.front(), *part);
 }
 
-/// Whether that part is there already; one that is damaged is not.
-bool is_there(const std::string& path, const PartHeading& heading) {
+}  // namespace
+
+void require_no_stats(const PartsRequest& request, const char* option) {
+    if (request.stats.empty()) return;
+    throw Error(ErrorKind::setting,
+                fmt::format("--stats: a part has none of its own with {}; pxm join --stats {} "
+                            "writes those of the picture",
+                            option, printable_path(request.stats)));
+}
+
+PartChoice part_choice_of(const std::string& part) { return choose_part(part, environment); }
+
+bool is_part_there(const std::string& path, const PartHeading& heading) {
     std::string why;
     const auto part = find_part(path, why);
     if (part) PartSet(heading).add(path, *part);
@@ -58,7 +61,7 @@ bool is_there(const std::string& path, const PartHeading& heading) {
     return there;
 }
 
-/// As start_render(). The moments of an open shutter are renders of their own: they have no units.
+// The moments of an open shutter are renders of their own: they have no units.
 std::unique_ptr<StartedRender> start_parts(const RenderRequest& request) {
     auto started = start_render(request);
     if (has_exposure(request, started->prepared.scene))
@@ -68,21 +71,9 @@ std::unique_ptr<StartedRender> start_parts(const RenderRequest& request) {
     return started;
 }
 
-/// Runs `work` with a bar of its progress; stopped by signals.
-template <class Work>
-auto with_progress(bool quiet, const Work& work) {
-    Progress progress(quiet);
-    RunControl control;
-    control.stop = &stop_requested();
-    if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
-    return work(control);
-}
-
-}  // namespace
-
 ExitCode render_one_part(const PartsRequest& request, const std::string& part,
                          const std::string& folder) {
-    const PartChoice choice = choose_part(part, environment);
+    const PartChoice choice = part_choice_of(part);
     require_no_stats(request, "--part");
     if (folder.empty()) throw Error(ErrorKind::setting, "--part: expected -o DIR, for the part");
     make_part_folder(folder);
@@ -97,7 +88,7 @@ ExitCode render_one_part(const PartsRequest& request, const std::string& part,
     heading.part = choice.part;
     heading.parts = choice.parts;
     require_same_picture(folder, heading);
-    if (is_there(path, heading)) {
+    if (is_part_there(path, heading)) {
         if (!request.quiet) tell(fmt::format("{} is there already\n", name));
         return ExitCode::done;
     }
@@ -116,23 +107,34 @@ ExitCode render_one_part(const PartsRequest& request, const std::string& part,
 
 ExitCode render_claimed(const PartsRequest& request, const std::string& folder,
                         const std::string& parts, double expiry_seconds) {
-    ClaimedParts claimed{folder, parts.empty() ? 0 : choose_count(parts),
-                         std::chrono::milliseconds(std::lround(expiry_seconds * 1000))};
+    const long count = parts.empty() ? 0 : choose_count(parts);
     require_no_stats(request, "--claim");
     make_part_folder(folder);
     const auto started = start_parts(request.render);
     tell(started->result.warnings);
-    const PartHeading heading =
+    PartHeading heading =
         heading_of(*started, request.render, request.channels, request.metadata(started->result));
-    if (claimed.parts == 0) claimed.parts = default_parts(units_of(heading.grid).size());
+    const std::size_t units = units_of(heading.grid).size();
+    heading.parts = count == 0 ? default_parts(units) : count;
     require_same_picture(folder, heading);
-    long made = 0;
+    ClaimedParts claimed{
+        folder, {}, std::chrono::milliseconds(std::lround(expiry_seconds * 1000)), {}};
+    const long used = std::min(heading.parts, static_cast<long>(units));  // others are empty
+    for (long part = 1; part <= used; ++part)
+        claimed.names.push_back(part_name(part, heading.parts));
+    std::size_t made = 0;
     const bool done = with_progress(request.quiet, [&](const RunControl& control) {
-        return make_claimed_parts({*started, heading, control}, claimed,
-                                  [&](const std::string&) { ++made; });
+        claimed.make = [&](std::size_t i) {
+            heading.part = static_cast<long>(i) + 1;
+            const auto wanted = units_of_part(units, heading.part, heading.parts);
+            const std::string path = (std::filesystem::path(folder) / claimed.names[i]).string();
+            return write_part({*started, heading, control}, wanted, path);
+        };
+        made = make_claimed_parts(claimed, control);
+        return !*control.stop;
     });
     if (!request.quiet) {
-        tell(fmt::format("{} of {} parts made here in {:.2f} s\n", made, claimed.parts,
+        tell(fmt::format("{} of {} parts made here in {:.2f} s\n", made, heading.parts,
                          started->result.statistics.seconds.render));
     }
     return done ? ExitCode::done : exit_code_of_signal(received_signal());

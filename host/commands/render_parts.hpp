@@ -2,13 +2,19 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "host/engine/aov.hpp"
 #include "host/files/image_reader.hpp"
+#include "host/parts/part_choice.hpp"
+#include "host/parts/part_heading.hpp"
 #include "host/process/exit_code.hpp"
+#include "host/process/interrupt.hpp"
+#include "host/process/progress.hpp"
 #include "host/render/render.hpp"
+#include "host/render/start.hpp"
 
 namespace pxm::host {
 
@@ -19,6 +25,28 @@ struct PartsRequest {
     std::string stats;                                      // empty: none were asked for
     bool quiet = false;
 };
+
+// What these have in common with a film's parts.
+
+/// A picture's statistics are the sums over its parts. Throws Error(ErrorKind::setting).
+void require_no_stats(const PartsRequest& request, const char* option);
+/// The value of --part. Throws Error(ErrorKind::setting).
+[[nodiscard]] PartChoice part_choice_of(const std::string& part);
+/// Whether that part is there already; one that is damaged is not. Throws Error(ErrorKind::file)
+/// if it is of another picture.
+[[nodiscard]] bool is_part_there(const std::string& path, const PartHeading& heading);
+/// As start_render(), of what can be made in parts.
+[[nodiscard]] std::unique_ptr<StartedRender> start_parts(const RenderRequest& request);
+
+/// Runs `work(control)` with a bar of its progress; stopped by signals.
+template <class Work>
+auto with_progress(bool quiet, const Work& work) {
+    Progress progress(quiet);
+    RunControl control;
+    control.stop = &stop_requested();
+    if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
+    return work(control);
+}
 
 /// `--part I/N -o DIR`.
 [[nodiscard]] ExitCode render_one_part(const PartsRequest& request, const std::string& part,

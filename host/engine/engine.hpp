@@ -33,6 +33,18 @@ struct RunControl {
     std::function<void(double)> progress = nullptr;  // share done, 0..1; called from any thread
 };
 
+/// The control of one of `count` runs that are alike, the `index`th from 0. Keeps a reference to
+/// `control`.
+[[nodiscard]] inline RunControl share_of(const RunControl& control, std::size_t index,
+                                         std::size_t count) {
+    RunControl own = control;
+    if (!control.progress) return own;
+    own.progress = [&control, index, count](double share) {
+        control.progress((static_cast<double>(index) + share) / static_cast<double>(count));
+    };
+    return own;
+}
+
 /// Who takes a picture while it is rendered: then nobody keeps a frame of the whole window.
 struct BlockTaker {
     /// Takes a part of the window, all of whose pixels are known. Called by any thread, in any

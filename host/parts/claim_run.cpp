@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "host/parts/claims.hpp"
+#include "host/parts/part_file.hpp"
 
 namespace pxm::host {
 
@@ -16,16 +17,16 @@ constexpr std::chrono::milliseconds least_pause{20}, most_pause{1000};
 
 bool is_stopped(const RunControl& control) { return control.stop != nullptr && *control.stop; }
 
-/// Parts that have units. Workers begin at different ones: so they seldom want the same.
-std::vector<long> open_parts(std::size_t units, long parts) {
-    const long used = std::min(parts, static_cast<long>(units));
-    std::vector<long> open;
-    for (long i = 0; i < used; ++i) open.push_back((i + getpid()) % used + 1);
-    return open;
+/// Workers begin at different parts: so they seldom want the same.
+std::vector<std::size_t> in_own_order(std::size_t parts) {
+    std::vector<std::size_t> order;
+    const auto begin = static_cast<std::size_t>(getpid());
+    for (std::size_t i = 0; i < parts; ++i) order.push_back((i + begin) % parts);
+    return order;
 }
 
-void wait(const ClaimedParts& claimed, const RunControl& control) {
-    const auto pause = std::clamp(claimed.expiry / 10, least_pause, most_pause);
+void wait(const ClaimedParts& parts, const RunControl& control) {
+    const auto pause = std::clamp(parts.expiry / 10, least_pause, most_pause);
     const auto end = std::chrono::steady_clock::now() + pause;
     while (!is_stopped(control) && std::chrono::steady_clock::now() < end)
         std::this_thread::sleep_for(least_pause);
@@ -34,28 +35,19 @@ void wait(const ClaimedParts& claimed, const RunControl& control) {
 /// Makes the parts one by one.
 class Worker {
   public:
-    Worker(const UnitRender& render, const ClaimedParts& claimed)
-        : render_(render),
-          claimed_(claimed),
-          heading_(render.heading),
-          units_(units_of(render.heading.grid).size()),
-          claims_(claimed.folder, claimed.expiry) {
-        heading_.parts = claimed.parts;
-    }
+    explicit Worker(const ClaimedParts& parts)
+        : parts_(parts), claims_(parts.folder, parts.expiry) {}
 
     enum class State { there, made, others, stopped };
 
-    State try_to_make(long part) {
-        const std::string name = part_name(part, claimed_.parts);
-        const std::string path = (std::filesystem::path(claimed_.folder) / name).string();
+    State try_to_make(std::size_t part) {
+        const std::string& name = parts_.names[part];
+        const std::string path = (std::filesystem::path(parts_.folder) / name).string();
         if (is_there(path)) return claims_.forget(name), State::there;
         const std::unique_ptr<Claim> claim = claims_.take(name);
         if (!claim) return State::others;
         if (is_there(path)) return State::there;  // finished between the two looks
-        heading_.part = part;
-        const auto wanted = units_of_part(units_, part, claimed_.parts);
-        if (!write_part({render_.started, heading_, render_.control}, wanted, path))
-            return State::stopped;
+        if (!parts_.make(part)) return State::stopped;
         claims_.forget(name);
         return State::made;
     }
@@ -66,10 +58,7 @@ class Worker {
         return find_part(path, why).has_value();
     }
 
-    const UnitRender& render_;
-    const ClaimedParts& claimed_;
-    PartHeading heading_;
-    std::size_t units_;
+    const ClaimedParts& parts_;
     Claims claims_;
 };
 
@@ -80,25 +69,21 @@ long default_parts(std::size_t units) {
     return static_cast<long>(std::clamp<std::size_t>(units, 1, most));
 }
 
-bool make_claimed_parts(const UnitRender& render, const ClaimedParts& claimed,
-                        const std::function<void(const std::string&)>& made) {
-    Worker worker(render, claimed);
-    std::vector<long> open = open_parts(units_of(render.heading.grid).size(), claimed.parts);
-    while (!open.empty()) {
-        bool moved = false;
-        for (long& part : open) {
-            if (is_stopped(render.control)) return false;
+std::size_t make_claimed_parts(const ClaimedParts& parts, const RunControl& control) {
+    Worker worker(parts);
+    std::vector<std::size_t> open = in_own_order(parts.names.size());
+    std::size_t made = 0;
+    while (!open.empty() && !is_stopped(control)) {
+        const std::size_t before = open.size();
+        std::erase_if(open, [&](std::size_t part) {
+            if (is_stopped(control)) return false;
             const Worker::State state = worker.try_to_make(part);
-            if (state == Worker::State::stopped) return false;
-            if (state == Worker::State::others) continue;
-            if (state == Worker::State::made) made(part_name(part, claimed.parts));
-            part = 0;  // done
-            moved = true;
-        }
-        std::erase(open, 0);
-        if (!moved && !open.empty()) wait(claimed, render.control);
+            if (state == Worker::State::made) ++made;
+            return state == Worker::State::made || state == Worker::State::there;
+        });
+        if (open.size() == before) wait(parts, control);
     }
-    return true;
+    return made;
 }
 
 }  // namespace pxm::host

@@ -147,6 +147,19 @@ Statistics statistics_of(const Json& json) {
     return s;
 }
 
+Json film_json(const FilmPlace& f) {
+    return {{"frame", f.frame},
+            {"frames", f.frames},
+            {"count", f.count},
+            {"rate", f.rate},
+            {"source", f.source}};
+}
+
+FilmPlace film_of(const Json& json) {
+    return {json.at("frame"), json.at("frames"), json.at("count"), json.at("rate"),
+            json.at("source")};
+}
+
 Aov channel_of(const std::string& name) {
     for (const Aov aov : all_aovs())
         if (name == aov_name(aov)) return aov;
@@ -161,6 +174,7 @@ std::string heading_json(const PartHeading& heading) {
     for (const auto& [name, value] : heading.metadata) metadata.push_back({name, value});
     for (const Aov aov : heading.channels) channels.push_back(aov_name(aov));
     return json_text(Json{{"part", {heading.part, heading.parts}},
+                          {"film", heading.film ? film_json(*heading.film) : Json()},
                           {"common", common},
                           {"grid", grid_json(heading.grid)},
                           {"channels", channels},
@@ -175,6 +189,7 @@ PartHeading heading_of_json(const std::string& text) {
     PartHeading heading;
     heading.part = json.at("part").at(0);
     heading.parts = json.at("part").at(1);
+    if (const Json film = json.value("film", Json()); !film.is_null()) heading.film = film_of(film);
     for (const Json& thing : json.at("common"))
         heading.common.push_back({thing.at(0), thing.at(1)});
     heading.grid = grid_of(json.at("grid"));

@@ -7,6 +7,7 @@
 
 #include "host/output/image.hpp"
 #include "host/parts/part_run.hpp"
+#include "host/text/number_runs.hpp"
 
 namespace pxm::host {
 
@@ -61,7 +62,7 @@ class Counts {
 
 /// The pixels of a node are in all rows: they are put together first. False if it was stopped.
 template <class GoOn>
-bool append_nodes(PartSet& parts, Counts& counts, ImageWriter& writer, GoOn go_on) {
+bool take_nodes(PartSet& parts, Counts& counts, const TakeBlock& take, GoOn go_on) {
     Frame frame(parts.heading().statistics.size, parts.heading().grid.window);
     for (std::size_t i = 0; i < parts.units().size(); ++i) {
         if (!go_on()) return false;
@@ -70,13 +71,13 @@ bool append_nodes(PartSet& parts, Counts& counts, ImageWriter& writer, GoOn go_o
         put(parts.units()[i], stored.pixels, frame);
         counts.add(i, stored);
     }
-    writer.append(frame);
+    take(frame);
     return true;
 }
 
 /// Tiles go into the picture as they are read, in the memory of the one before.
 template <class GoOn>
-bool append_tiles(PartSet& parts, Counts& counts, ImageWriter& writer, GoOn go_on) {
+bool take_tiles(PartSet& parts, Counts& counts, const TakeBlock& take, GoOn go_on) {
     const PixelSize& image = parts.heading().statistics.size;
     Frame frame;
     for (std::size_t i = 0; i < parts.units().size(); ++i) {
@@ -84,7 +85,7 @@ bool append_tiles(PartSet& parts, Counts& counts, ImageWriter& writer, GoOn go_o
         const UnitPixels& unit = parts.units()[i];
         const CropWindow window{unit.x0, unit.y0, unit.x1, unit.y1};
         if (!parts.has(i)) {
-            writer.append(Frame(image, window));
+            take(Frame(image, window));
             continue;
         }
         StoredUnit stored = parts.read(i, std::move(frame.pixels));
@@ -92,18 +93,16 @@ bool append_tiles(PartSet& parts, Counts& counts, ImageWriter& writer, GoOn go_o
         frame.size = image;
         frame.crop = window;
         frame.pixels = std::move(stored.pixels);
-        writer.append(frame);
+        take(frame);
     }
     return true;
 }
 
 }  // namespace
 
-std::optional<JoinedPicture> join(PartSet& parts, const std::string& path,
-                                  const RunControl& control) {
+std::optional<JoinedPicture> join(PartSet& parts, const RunControl& control,
+                                  const TakeBlock& take) {
     const PartHeading& heading = parts.heading();
-    require_image_format(path, heading.channels);
-    ImageWriter writer(path, heading.grid.window, heading.channels, heading.metadata);
     Counts counts(heading);
     const auto progress = [&, done = std::size_t{0}]() mutable {
         if (control.progress)
@@ -111,34 +110,26 @@ std::optional<JoinedPicture> join(PartSet& parts, const std::string& path,
                              static_cast<double>(parts.units().size()));
         return control.stop == nullptr || !*control.stop;
     };
-    const bool whole = heading.grid.of_nodes() ? append_nodes(parts, counts, writer, progress)
-                                               : append_tiles(parts, counts, writer, progress);
+    const bool whole = heading.grid.of_nodes() ? take_nodes(parts, counts, take, progress)
+                                               : take_tiles(parts, counts, take, progress);
     if (!whole) return std::nullopt;
-    writer.finish();
     JoinedPicture picture{counts.all(heading.alarms), "", parts.missing()};
     picture.warnings =
         cap_text(picture.statistics.rays, heading.cell_cap) + alarm_text(picture.statistics.alarms);
     return picture;
 }
 
-namespace {
-
-constexpr std::size_t most_named = 20;
-
-/// Numbers with their runs as "3-7"; what is beyond the most that are named is "...".
-std::string numbers_text(const std::set<long>& numbers) {
-    std::string text;
-    std::size_t named = 0;
-    for (auto at = numbers.begin(); at != numbers.end(); ++named) {
-        if (named == most_named) return text + ", ...";
-        const long first = *at;
-        long last = first;
-        while (++at != numbers.end() && *at == last + 1) ++last;
-        text += (text.empty() ? "" : ", ") +
-                (last == first ? fmt::format("{}", first) : fmt::format("{}-{}", first, last));
-    }
-    return text;
+std::optional<JoinedPicture> join(PartSet& parts, const std::string& path,
+                                  const RunControl& control) {
+    const PartHeading& heading = parts.heading();
+    require_image_format(path, heading.channels);
+    ImageWriter writer(path, heading.grid.window, heading.channels, heading.metadata);
+    auto picture = join(parts, control, [&](const Frame& block) { writer.append(block); });
+    if (picture) writer.finish();
+    return picture;
 }
+
+namespace {
 
 /// Those of N parts that have a missing unit.
 std::set<long> parts_with(const PartSet& parts, const std::vector<std::size_t>& missing) {
@@ -164,7 +155,7 @@ std::string missing_text(const PartSet& parts) {
     }
     const std::set<long> numbers = parts_with(parts, missing);
     return fmt::format("{} of {} parts {} missing: {}; {}", numbers.size(), count,
-                       numbers.size() == 1 ? "is" : "are", numbers_text(numbers), share);
+                       numbers.size() == 1 ? "is" : "are", number_runs(numbers), share);
 }
 
 }  // namespace pxm::host

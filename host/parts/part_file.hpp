@@ -20,7 +20,7 @@ inline constexpr const char* part_ending = ".pxmpart";  // of the file's name
 
 /// Where a unit lies in its file.
 struct UnitEntry {
-    std::uint64_t unit = 0;  // frame * units of a frame + number in its grid; pictures have frame 0
+    std::uint64_t unit = 0;  // its number in the grid
     std::uint64_t at = 0;
     std::uint64_t bytes = 0;
     std::uint64_t digest = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,16 @@ struct CommonThing {
     bool operator==(const CommonThing&) const = default;
 };
 
+/// Where a frame stands in its film.
+struct FilmPlace {
+    long frame = 0;
+    std::string frames;  // that are made, as --frames says it
+    long count = 0;      // of the animation
+    double rate = 0;     // frames a second
+    std::string source;  // digest of all that the film is made from
+    bool operator==(const FilmPlace&) const = default;
+};
+
 /// Nothing in it depends on how or where the part was made, but for the names in `statistics` and
 /// `metadata`, which are as they were written for that run.
 struct PartHeading {
@@ -30,7 +41,8 @@ struct PartHeading {
     std::uint32_t cell_cap = 0;
     Statistics statistics;  // what is known without a ray
     Metadata metadata;
-    long part = 0, parts = 0;  // of how many this is the how manieth; 0: of no fixed number
+    std::optional<FilmPlace> film;  // of a frame that is a part of a film
+    long part = 0, parts = 0;       // of how many this is the how manieth; 0: of no fixed number
 };
 
 /// The heading of a render's parts. `metadata` is what a picture of it gets.

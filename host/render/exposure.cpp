@@ -70,15 +70,6 @@ void add_counts(RenderResult& sum, const RenderResult& one) {
     }
 }
 
-RunControl control_of_moment(const RunControl& control, long i, long count) {
-    RunControl own = control;
-    if (!control.progress) return own;
-    own.progress = [&control, i, count](double share) {
-        control.progress((static_cast<double>(i) + share) / static_cast<double>(count));
-    };
-    return own;
-}
-
 }  // namespace
 
 bool has_exposure(const RenderRequest& request, const Scene& scene) {
@@ -102,7 +93,8 @@ RenderResult render_exposure(const RenderRequest& request, const Scene& scene,
         RenderRequest moment = request;
         moment.frame = moment_of(request, *scene.animation, i, count);
         moment.only_sample = i;
-        RenderResult one = render(moment, control_of_moment(control, i, count));
+        RenderResult one = render(moment, share_of(control, static_cast<std::size_t>(i),
+                                                   static_cast<std::size_t>(count)));
         if (one.stopped) return one;
         exposure.add(one.frame);
         if (i == 0) {
