@@ -70,7 +70,11 @@ class Compiler {
         out_.shading = shading_mode(render_.shading.value_or(Shading::constant));
         set_sampling();
         for (const Placed& object : objects) add_object(object);
-        if (covers_by_area()) cover_by_area(render_, filled_, out_, diagnostics_);
+        if (covers_by_area()) {
+            cover_by_area(render_, filled_, out_, diagnostics_);
+        } else if (has_faces_askew()) {
+            leave_faces(out_.samples);
+        }
         if (near_cells_ == NearCells::replaced) reroot(roots_, view_, rays(), out_);
         compile_floor(scene_, view_, fractals_, out_, diagnostics_);
         out_.lights = compile_lights(scene_, view_.eye, out_.unit);
@@ -143,6 +147,16 @@ class Compiler {
 
     [[nodiscard]] bool covers_by_area() const {
         return render_.covers && std::holds_alternative<AreaCovers>(*render_.covers);
+    }
+
+    [[nodiscard]] bool has_faces_askew() const {
+        const auto askew = [](const CompiledSet& set) {
+            return set.volume.kind == kernels::Volume::hull ||
+                   set.volume.kind == kernels::Volume::oriented;
+        };
+        return std::ranges::any_of(out_.shapes, [&](const CompiledShape& shape) {
+            return std::ranges::any_of(shape.sets, askew);
+        });
     }
 
     void set_sampling() {

@@ -12,4 +12,10 @@ namespace pxm::host {
 /// 0.
 [[nodiscard]] std::vector<glm::dvec2> sample_places(long count);
 
+/// Moves the places by a sixty-fourth of a pixel, in no round direction. Cells whose faces are
+/// askew find the face between them each by its own rounding; a ray that lies in it by design, as
+/// seen along an axis, would pass between them, or show whichever cell rounding lets it come to
+/// first.
+void leave_faces(std::vector<glm::dvec2>& places);
+
 }  // namespace pxm::host

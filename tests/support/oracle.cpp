@@ -68,8 +68,10 @@ Oracle::Oracle(const CompiledScene& scene, double smallest_share)
 
 Sight Oracle::sight(long x, long y) const {
     const CompiledCamera& camera = scene_.camera;
-    const glm::dvec3 on_plane = camera.corner + (static_cast<double>(x) + 0.5) * camera.across +
-                                (static_cast<double>(y) + 0.5) * camera.down;
+    const glm::dvec2 place =
+        scene_.samples.size() == 1 ? scene_.samples.front() : glm::dvec2{0.5, 0.5};
+    const glm::dvec3 on_plane = camera.corner + (static_cast<double>(x) + place.x) * camera.across +
+                                (static_cast<double>(y) + place.y) * camera.down;
     if (camera.projection == kernels::Projection::orthographic) return {on_plane, camera.forward};
     return {glm::dvec3{0.0}, glm::normalize(on_plane)};
 }
