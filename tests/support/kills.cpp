@@ -126,7 +126,7 @@ std::vector<KilledWork> killed_works() {
         render({"--claim", "parts", "--part", "any/6", "--claim-expiry", "0.3", "--threads", "1"});
     return {
         {.command = render({"-o", "a.png", "--keep", "kept"}), .finals = {"a.png"}},
-        {.command = render({"--machine", "964", "-o", "a.exr", "--keep", "kept"}, "96x72"),
+        {.command = render({"--machine", "964", "-o", "a.exr", "--keep", "kept"}, "40x30"),
          .finals = {"a.exr"},
          .old = "an older picture"},
         {.command = render({"-o", "parts", "--part", "2/3"}),
