@@ -1,6 +1,4 @@
 // The program: one command line in, one exit code out. The only place that catches.
-#include <hwy/nanobenchmark.h>
-
 #include <cstdint>
 #include <exception>
 #include <new>
@@ -40,7 +38,7 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 
 // The library of wide registers asks this before main for the step of a clock that pxm never reads,
-// and spends 2 ms of every start on the answer (findings/highway_start.sh). What the program has
+// and spends 3 ms of every start on the answer (findings/highway_start.sh). What the program has
 // stands before what a library has.
 namespace hwy::platform {
 std::uint64_t TimerResolution() { return 1; }

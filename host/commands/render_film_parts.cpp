@@ -58,7 +58,7 @@ class Film {
     [[nodiscard]] Started start(long frame) {
         RenderRequest render = request_.parts.render;
         render.frame = static_cast<double>(frame);
-        Started started{start_parts(render), {}, frame_folder(folder_, frame)};
+        Started started{start_render(render), {}, frame_folder(folder_, frame)};
         const RenderResult& known = started.render->result;
         tell_once(frame, known.warnings);
         started.heading = heading_of(*started.render, render, request_.parts.channels,
@@ -75,12 +75,14 @@ class Film {
         started.heading.part = started.heading.parts = 1;
         const std::string path = (std::filesystem::path(started.folder) / whole).string();
         if (is_part_there(path, started.heading)) return true;
+        if (is_exposed()) return expose(frame, started.heading, path, control);
         const auto units = units_of_part(units_of(started.heading.grid).size(), 1, 1);
         return write_part({*started.render, started.heading, control}, units, path);
     }
 
     /// The same so that what is done of a frame is not lost.
     [[nodiscard]] bool keep(long frame, const RunControl& control) {
+        if (is_exposed()) return make(frame, control);
         Started started = start(frame);
         std::string warnings;
         PartSet parts = kept_parts(started.folder, started.heading, warnings);
@@ -89,6 +91,25 @@ class Film {
     }
 
   private:
+    [[nodiscard]] bool is_exposed() const { return has_exposure(request_.parts.render, scene_); }
+
+    /// The moments of an open shutter are renders of their own: such a frame is made whole.
+    [[nodiscard]] bool expose(long frame, PartHeading heading, const std::string& path,
+                              const RunControl& control) {
+        RenderRequest render = request_.parts.render;
+        render.frame = static_cast<double>(frame);
+        const RenderResult result = host::render(render, control);
+        if (result.stopped) return false;
+        heading.metadata = request_.parts.metadata(result);
+        for (const Alarm& alarm : result.statistics.alarms) {  // the most of all moments
+            if (alarm.name == "steep_maps") heading.alarms.steep_maps = alarm.count;
+            if (alarm.name == "flat_maps") heading.alarms.flat_maps = alarm.count;
+            if (alarm.name == "range") heading.alarms.maps_out_of_range = alarm.count;
+        }
+        write_whole(result, heading, path);
+        return true;
+    }
+
     /// Frames have the same warnings, most of them.
     void tell_once(long frame, const std::string& warnings) {
         if (!told_ && !warnings.empty()) tell(fmt::format("frame {}: {}", frame, warnings));

@@ -66,8 +66,8 @@ std::unique_ptr<StartedRender> start_parts(const RenderRequest& request) {
     auto started = start_render(request);
     if (has_exposure(request, started->prepared.scene))
         throw Error(ErrorKind::setting,
-                    "a frame with an open shutter is not made in parts (--set "
-                    "animation.shutter=0, or a frame a run)");
+                    "a frame with an open shutter is not cut into parts (--set "
+                    "animation.shutter=0, or several --frames, each of which is a part)");
     return started;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "host/error.hpp"
@@ -53,6 +54,39 @@ bool write_part(const UnitRender& render, const std::vector<std::size_t>& wanted
     if (run.stopped) return false;
     file.finish();
     return true;
+}
+
+namespace {
+
+std::vector<PixelRecord> pixels_of(const UnitPixels& unit, const Frame& frame) {
+    std::vector<PixelRecord> pixels;
+    pixels.reserve(unit.count());
+    for (long y = unit.y0; y < unit.y1; y += unit.step_y)
+        for (long x = unit.x0; x < unit.x1; x += unit.step_x) pixels.push_back(frame.at(x, y));
+    return pixels;
+}
+
+/// Of pixels whose alarms are final: none depends on others any more.
+AlarmSums sums_of_marked(std::span<const PixelRecord> pixels) {
+    AlarmSums sums;
+    for (const PixelRecord& pixel : pixels)
+        for (std::size_t bit = 0; bit < sums.of_hits.size(); ++bit)
+            sums.of_hits[bit] += pixel.alarms >> bit & 1U;
+    return sums;
+}
+
+}  // namespace
+
+void write_whole(const RenderResult& picture, const PartHeading& heading, const std::string& path) {
+    PartWriter file(path, heading);
+    const std::vector<UnitPixels> units = units_of(heading.grid);
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        std::vector<PixelRecord> pixels = pixels_of(units[i], picture.frame);
+        FinishedUnit unit{i, pixels, {}, nullptr};
+        if (i == 0) unit.rays = picture.statistics.rays;  // the sum is what counts
+        file.add(i, payload_of(unit, sums_of_marked(pixels), heading.channels));
+    }
+    file.finish();
 }
 
 void make_part_folder(const std::string& folder) {

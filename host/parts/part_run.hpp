@@ -30,6 +30,10 @@ struct UnitRender {
 [[nodiscard]] bool write_part(const UnitRender& render, const std::vector<std::size_t>& wanted,
                               const std::string& path);
 
+/// Writes a whole picture that was rendered otherwise, its alarms marked, as one file at `path`.
+/// Throws Error(ErrorKind::file).
+void write_whole(const RenderResult& picture, const PartHeading& heading, const std::string& path);
+
 /// Makes the folder if it is not there. Throws Error(ErrorKind::file) unless files can be written
 /// in it.
 void make_part_folder(const std::string& folder);

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 #include "host/output/image.hpp"
@@ -143,6 +144,44 @@ TEST_F(OwnNamespaces, a_full_disk_keeps_the_picture_of_before_and_no_part) {
         EXPECT_EQ(outcome.err.rfind("pxm: cannot write m/o." + std::string(format) + ": ", 0), 0U)
             << outcome.err;
     }
+}
+
+TEST_F(OwnNamespaces, a_full_disk_leaves_no_damaged_part_and_the_next_run_goes_on) {
+    const std::string render = "$PXM render tetra.pxm --size 320x240 --quiet ";
+    ASSERT_EQ(shell(render + "-o one.png").exit_code, 0);
+    for (const std::string where :
+         {"--part 1/1 -o m/parts", "--keep m/parts -o kept.png", "--claim m/parts --part any/2"}) {
+        folder.write("script", "mount -t tmpfs -o size=16k none m && " + render + where +
+                                   "; echo $?; ls m/parts; mount -o remount,size=8m m && " +
+                                   render + where +
+                                   "; echo $?; $PXM join m/parts -o all.png "
+                                   "--quiet; echo $?");
+        const Outcome outcome = shell(unshare + "sh script");
+        EXPECT_EQ(outcome.out, "4\n0\n0\n") << where;
+        EXPECT_NE(outcome.err.find("No space left on device"), std::string::npos) << outcome.err;
+        EXPECT_TRUE(folder.read("all.png") == folder.read("one.png")) << where;
+    }
+    EXPECT_TRUE(folder.read("kept.png") == folder.read("one.png"));
+}
+
+/// Computers of their own, as far as a kernel makes them: each with its name and network, and each
+/// worker is process 1 there.
+TEST_F(OwnNamespaces, workers_of_several_hosts_make_each_part_once) {
+    const std::string render = "$PXM render tetra.pxm --size 400x300 ";
+    ASSERT_EQ(shell(render + "--quiet -o one.png").exit_code, 0);
+    std::string script;
+    for (const char* host : {"a", "b", "c"})
+        script += unshare + "-n -u sh -c 'hostname " + host + " && exec " + render +
+                  "--claim parts --part any/40 --threads 1' 2> " + host + " & ";
+    const Outcome outcome = shell("export PXM; " + script + "wait; cat a b c; " + render +
+                                  "--quiet --claim parts --part any/40 && $PXM join parts -o "
+                                  "all.png --quiet");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    long made = 0;
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line);) made += std::stol(line);
+    EXPECT_EQ(made, 40) << outcome.out;
+    EXPECT_TRUE(folder.read("all.png") == folder.read("one.png"));
 }
 
 TEST_F(OwnNamespaces, two_runs_that_are_both_process_1_write_into_one_folder) {

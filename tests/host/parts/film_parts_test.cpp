@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/support/command.hpp"
@@ -63,6 +64,31 @@ TEST_F(FilmParts, are_the_frames_of_one_run_for_any_number_of_parts) {
             expect_frames("parts");
         }
     }
+}
+
+TEST_F(FilmParts, have_frames_with_an_open_shutter) {
+    const Arguments shutter{"--set", "animation.shutter=0.5", "--samples", "4", "--aov", "Z"};
+    one_run(shutter);
+    Arguments stats = command({"-o", "one/%02d.exr", "--stats", "one/%02d.json"});
+    stats.insert(stats.end(), shutter.begin(), shutter.end());
+    expect_done(folder, stats);
+    Arguments part = command({"--part", "1/1", "-o", "parts"});
+    part.insert(part.end(), shutter.begin(), shutter.end());
+    expect_done(folder, part);
+    expect_frames("parts");
+    expect_done(folder, {"join", "parts", "-o", "joined/%02d.exr", "--stats", "joined/%02d.json"});
+    for (const char* name : {"/02.json", "/04.json"}) {
+        auto one = nlohmann::json::parse(folder.read(std::string("one") + name));
+        auto joined = nlohmann::json::parse(folder.read(std::string("joined") + name));
+        for (const char* key : {"rays", "hits", "volumes_tested", "alarms"})
+            EXPECT_EQ(joined[key], one[key]) << key;
+    }
+    Arguments alone{"render", "film.pxm", "--frames", "2", "--part", "1/2", "-o", "cut"};
+    alone.insert(alone.end(), shutter.begin(), shutter.end());
+    fs::create_directories(folder.path("cut"));
+    expect_refusal(folder, alone, 2,
+                   "a frame with an open shutter is not cut into parts (--set "
+                   "animation.shutter=0, or several --frames, each of which is a part)");
 }
 
 TEST_F(FilmParts, are_made_once_by_workers_that_claim_them) {
