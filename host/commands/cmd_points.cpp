@@ -1,6 +1,10 @@
 // `pxm points SCENE -n N -o OUT.ply`: the attractors drawn the explicit way (Alg. 7.1).
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <atomic>
 #include <memory>
+#include <numeric>
 
 #include "host/commands/cmd.hpp"
 #include "host/commands/option_checks.hpp"
@@ -11,18 +15,24 @@
 #include "host/fractal/measure/chaos_game.hpp"
 #include "host/output/ply.hpp"
 #include "host/output/spared_inputs.hpp"
+#include "host/parts/kept_batches.hpp"
+#include "host/parts/kept_units.hpp"
+#include "host/parts/part_run.hpp"
+#include "host/process/granted_threads.hpp"
+#include "host/process/in_order.hpp"
+#include "host/process/in_threads.hpp"
 #include "host/process/interrupt.hpp"
 #include "host/process/progress.hpp"
 #include "host/process/terminal.hpp"
 #include "host/scene/check/check.hpp"
 #include "host/scene/check/settings.hpp"
 #include "host/scene/default_objects.hpp"
+#include "host/scene/print/print.hpp"
+#include "host/text/digest.hpp"
 
 namespace pxm::host {
 
 namespace {
-
-constexpr std::uint64_t points_between_looks = 1 << 16;  // at the stop flag and the progress bar
 
 struct PointsArguments {
     std::string scene;
@@ -31,6 +41,8 @@ struct PointsArguments {
     std::vector<std::string> allowed;
     std::uint64_t count = 0;
     std::uint64_t seed = 1;
+    std::string keep;
+    int threads = 0;  // 0: those granted
     bool quiet = false;
 };
 
@@ -88,24 +100,114 @@ CoordinateNumber number_for_players(const std::vector<Player>& players) {
     return number_for(extents);
 }
 
-/// False if a signal came.
-bool draw_points(std::vector<Player>& players, std::uint64_t count, PlyWriter& file,
-                 Progress& progress) {
-    std::uint64_t drawn = 0;
-    for (std::size_t i = 0; i < players.size(); ++i) {
-        Player& player = players[i];
-        const std::uint64_t last = count / players.size() * (i + 1) +
-                                   std::min<std::uint64_t>(count % players.size(), i + 1);
-        for (; drawn < last; ++drawn) {
-            const CloudPoint point = player.game.next();
-            file.add(player.instance.point(point.place), point.blend.of(player.color));
-            if (drawn % points_between_looks == 0) {
-                if (stop_requested()) return false;
-                progress.update(static_cast<double>(drawn) / static_cast<double>(count));
+/// Points that one thread draws at a time: of one object, a chunk of its game or the last one's
+/// beginning.
+struct Chunk {
+    std::size_t player = 0;
+    std::uint32_t number = 0;
+    std::uint64_t points = 0;
+};
+
+/// The points of a file, as they come in it: objects one after another, with equal shares.
+class Cloud {
+  public:
+    Cloud(const std::vector<Player>& players, std::uint64_t count)
+        : players_(players), number_(number_for_players(players)) {
+        for (std::size_t i = 0; i < players.size(); ++i) {
+            const auto begin = [&](std::size_t player) {
+                return count / players.size() * player +
+                       std::min<std::uint64_t>(count % players.size(), player);
+            };
+            std::uint64_t left = begin(i + 1) - begin(i);
+            for (std::uint32_t number = 0; left > 0; ++number) {
+                const std::uint64_t points = std::min(left, ChaosGame::chunk_points);
+                chunks_.push_back({i, number, points});
+                left -= points;
             }
         }
     }
-    return true;
+
+    [[nodiscard]] std::size_t chunks() const { return chunks_.size(); }
+    [[nodiscard]] CoordinateNumber number() const { return number_; }
+
+    /// The bytes of a chunk. Any thread.
+    [[nodiscard]] std::string draw(std::size_t i) const {
+        const Chunk& chunk = chunks_[i];
+        const Player& player = players_[chunk.player];
+        ChaosGame game = player.game;
+        game.seek(chunk.number);
+        PlyPoints points(number_);
+        for (std::uint64_t n = 0; n < chunk.points; ++n) {
+            const CloudPoint point = game.next();
+            points.add(player.instance.point(point.place), point.blend.of(player.color));
+        }
+        return points.bytes();
+    }
+
+  private:
+    const std::vector<Player>& players_;
+    CoordinateNumber number_;
+    std::vector<Chunk> chunks_;
+};
+
+/// Draws chunks from all threads; false if a signal came.
+template <class Take>
+bool draw(const Cloud& cloud, const std::vector<std::size_t>& chunks, int threads, bool quiet,
+          const Take& take) {
+    Progress progress(quiet);
+    std::atomic<std::size_t> done = 0;
+    return in_threads(threads, chunks.size(), stop_requested(), [&](std::size_t i) {
+        take(i, cloud.draw(chunks[i]));
+        progress.update(static_cast<double>(++done) / static_cast<double>(chunks.size()));
+    });
+}
+
+void append(CheckedFile& file, const std::string& bytes) {
+    file.append(bytes.data(), bytes.size());
+}
+
+struct Stopped {};
+
+/// Straight into the file.
+void write_points(const Cloud& cloud, const std::string& header, int threads,
+                  const PointsArguments& arguments) {
+    write_safely(arguments.out, [&](CheckedFile& output) {
+        append(output, header);
+        std::vector<std::size_t> all(cloud.chunks());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        InOrder<std::string> order;
+        const bool drawn =
+            draw(cloud, all, threads, arguments.quiet, [&](std::size_t i, std::string bytes) {
+                order.add(static_cast<long>(i), std::move(bytes),
+                          [&](const std::string& next) { append(output, next); });
+            });
+        if (!drawn) throw Stopped{};
+    });
+}
+
+/// By way of a folder, from where it goes on.
+void keep_points(const Cloud& cloud, const std::string& header, const std::string& heading,
+                 int threads, const PointsArguments& arguments) {
+    make_part_folder(arguments.keep);
+    std::string warnings;
+    KeptUnits kept(arguments.keep, heading, cloud.chunks(),
+                   "is of other points: another scene, count, seed or version", warnings);
+    tell(warnings);
+    const std::vector<std::size_t> missing = kept.missing();
+    KeptBatches batches(arguments.keep, heading);
+    const bool drawn =
+        draw(cloud, missing, threads, arguments.quiet,
+             [&](std::size_t i, std::string bytes) { batches.add(missing[i], std::move(bytes)); });
+    batches.write_rest();
+    if (!drawn) throw Stopped{};
+    for (const std::string& path : batches.paths()) kept.add(path);
+    write_safely(arguments.out, [&](CheckedFile& output) {
+        append(output, header);
+        for (std::size_t i = 0; i < cloud.chunks(); ++i) {
+            if (stop_requested()) throw Stopped{};
+            append(output, kept.read(i));
+        }
+    });
 }
 
 ExitCode run_points(const PointsArguments& arguments) {
@@ -121,16 +223,19 @@ ExitCode run_points(const PointsArguments& arguments) {
     const std::string warnings = diagnostics.warnings_text(scene.files);
     if (!warnings.empty()) tell(warnings + "\n");
 
-    struct Stopped {};
+    const Cloud cloud(players, arguments.count);
+    const std::string header = ply_header(
+        arguments.count, "pxm " PXM_VERSION " points of " + arguments.scene, cloud.number());
+    const int threads = choose_threads(arguments.threads).threads;
     try {
-        write_safely(arguments.out, [&](CheckedFile& output) {
-            Progress progress(arguments.quiet);
-            PlyWriter file(output, arguments.count,
-                           "pxm " PXM_VERSION " points of " + arguments.scene,
-                           number_for_players(players));
-            if (!draw_points(players, arguments.count, file, progress)) throw Stopped{};
-            file.finish();
-        });
+        if (arguments.keep.empty()) {
+            write_points(cloud, header, threads, arguments);
+        } else {
+            const std::string heading = fmt::format(
+                R"({{"points":{{"version":"{}","scene":"{:016x}","count":{},"seed":{}}}}})",
+                PXM_VERSION, digest_of(print_scene(scene)), arguments.count, arguments.seed);
+            keep_points(cloud, header, heading, threads, arguments);
+        }
     } catch (const Stopped&) {
         return exit_code_of_signal(received_signal());
     }
@@ -153,6 +258,10 @@ AddedCommand add_points_command(CommandLine& line) {
         .required();
     command.add_option("--seed", a->seed, "Another seed gives other points (default 1)")
         .transform(any_whole_number());
+    command.add_option(
+        "--keep", a->keep,
+        "Put what is drawn into this folder now and then; run again, go on from there");
+    add_threads_option(command, a->threads);
     add_set_option(command, a->set);
     add_allow_option(command, a->allowed);
     command.add_flag("--quiet", a->quiet, "No progress bar");

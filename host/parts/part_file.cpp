@@ -7,6 +7,8 @@
 #include <exception>
 #include <filesystem>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 #include "host/error.hpp"
 #include "host/parts/heading_json.hpp"
@@ -63,9 +65,12 @@ Ending ending_of(const RegularFile& file) {
 }  // namespace
 
 PartWriter::PartWriter(const std::string& path, const PartHeading& heading)
+    : PartWriter(path, heading_json(heading)) {}
+
+PartWriter::PartWriter(const std::string& path, const std::string& heading)
     : path_(path),
       file_(path, Places::in_order, LeftParts::keep),
-      head_(std::string(first_line) + heading_json(heading) + "\n"),
+      head_(std::string(first_line) + heading + "\n"),
       end_(head_.size()) {
     file_.file().append(head_.data(), head_.size());
 }
@@ -88,35 +93,48 @@ void PartWriter::finish() {
 }
 
 bool PartWriter::is_there() const {
-    std::string why;
-    const auto there = find_part(path_, why);
-    if (!there) return false;
+    std::error_code none;
+    if (!std::filesystem::exists(path_, none)) return false;
+    std::optional<StoredPart> there;
+    try {
+        there = read_part(path_);
+    } catch (const Error&) {
+        return false;
+    }
     const auto same = [](const UnitEntry& a, const UnitEntry& b) {
         return a.unit == b.unit && a.bytes == b.bytes && a.digest == b.digest;
     };
-    const auto [own, other] = std::ranges::mismatch(entries_, there->entries(), same);
-    if (own == entries_.end() && other == there->entries().end()) return true;
+    const auto [own, other] = std::ranges::mismatch(entries_, there->entries, same);
+    if (own == entries_.end() && other == there->entries.end()) return true;
     const UnitEntry& unit = own == entries_.end() ? *other : *own;
     refuse(path_, fmt::format("somebody made this part otherwise: unit {} of the picture differs",
                               unit.unit));
 }
 
-PartReader::PartReader(const std::string& path) {
+StoredPart read_part(const std::string& path) {
     const RegularFile file(path);
     const Ending ending = ending_of(file);
     const std::string head = file.read(0, ending.head_bytes);
     const std::string entries = file.read(ending.entries_at, ending.entries * sizeof(UnitEntry));
     if (digest_of_all(head, entries) != ending.digest) refuse(path, "is damaged");
-    entries_.resize(ending.entries);
-    if (!entries.empty()) std::memcpy(entries_.data(), entries.data(), entries.size());
+    StoredPart part;
+    part.heading = head.substr(first_line.size(), head.size() - first_line.size() - 1);
+    part.entries.resize(ending.entries);
+    if (!entries.empty()) std::memcpy(part.entries.data(), entries.data(), entries.size());
+    for (const UnitEntry& entry : part.entries)
+        if (entry.at > ending.entries_at || entry.bytes > ending.entries_at - entry.at)
+            refuse(path, "is damaged");
+    return part;
+}
+
+PartReader::PartReader(const std::string& path) {
+    StoredPart part = read_part(path);
+    entries_ = std::move(part.entries);
     try {
-        heading_ = heading_of_json(head.substr(first_line.size()));
+        heading_ = heading_of_json(part.heading);
     } catch (const std::exception&) {
         refuse(path, "was written by another version of pxm");
     }
-    for (const UnitEntry& entry : entries_)
-        if (entry.at > ending.entries_at || entry.bytes > ending.entries_at - entry.at)
-            refuse(path, "is damaged");
 }
 
 std::optional<PartReader> find_part(const std::string& path, std::string& why) {

@@ -31,6 +31,8 @@ class PartWriter {
   public:
     /// Throws Error(ErrorKind::file), as do the other functions.
     PartWriter(const std::string& path, const PartHeading& heading);
+    /// With a heading that is not of a picture, one line.
+    PartWriter(const std::string& path, const std::string& heading);
 
     void add(std::size_t unit, const std::string& payload);
     /// Puts the file into its place, unless somebody else put the same part there meanwhile. Throws
@@ -47,7 +49,15 @@ class PartWriter {
     std::uint64_t end_ = 0;
 };
 
-/// A part file that is there.
+/// What a part file holds, whatever it is a part of.
+struct StoredPart {
+    std::string heading;
+    std::vector<UnitEntry> entries;
+};
+/// Throws Error(ErrorKind::file) if it cannot be read, or is not as it was written.
+[[nodiscard]] StoredPart read_part(const std::string& path);
+
+/// A part file of a picture that is there.
 class PartReader {
   public:
     /// Throws Error(ErrorKind::file) if it cannot be read, or is not as it was written.

@@ -141,6 +141,9 @@ std::vector<KilledWork> killed_works() {
                  expect_done(folder, render({"-o", "parts", "--part", "1/1"}));
              },
          .old = "an older picture"},
+        {.command = {"points", "tetra.pxm", "-n", "700000", "-o", "a.ply", "--keep", "kept",
+                     "--quiet"},
+         .finals = {"a.ply"}},
         {.command = frames({"-o", "f/%d.png"}),
          .finals = names("f/", 0, 5, ".png"),
          .prepare = make_frame_folder},

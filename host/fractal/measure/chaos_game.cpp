@@ -44,6 +44,13 @@ ChaosGame::ChaosGame(const Rifs& rifs, const std::vector<double>& weights,
     negligible_ = resolution * reach_[start_];
 }
 
+// A point takes at most half as many counters as passages, a chunk fewer than 2^32.
+void ChaosGame::seek(std::uint32_t chunk) {
+    static_assert(chunk_points * most_passages / 2 < std::uint64_t{1} << 32);
+    counter_ = std::uint64_t{chunk} << 32;
+    has_spare_ = false;
+}
+
 std::uint64_t ChaosGame::random_bits() {
     if (has_spare_) {
         has_spare_ = false;

@@ -32,6 +32,11 @@ class ChaosGame {
 
     /// The next point.
     [[nodiscard]] CloudPoint next();
+    /// The next point becomes the first of chunk `chunk`, each of which has room for chunk_points:
+    /// chunks may be drawn in any order, each by a copy of the game. It begins with chunk 0.
+    void seek(std::uint32_t chunk);
+
+    static constexpr std::uint64_t chunk_points = 1 << 16;
 
   private:
     [[nodiscard]] std::uint64_t random_bits();

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -49,6 +50,47 @@ TEST_F(Points, the_seed_alone_decides_the_points) {
     expect_done(folder, {"points", "tetra.pxm", "-n", "100", "-o", "c.ply", "--seed", "2"});
     EXPECT_EQ(folder.read("a.ply"), folder.read("b.ply"));
     EXPECT_NE(body_of(folder.read("a.ply")), body_of(folder.read("c.ply")));
+}
+
+/// More than one chunk of each of two objects.
+TEST_F(Points, do_not_depend_on_threads) {
+    folder.write("two.pxm",
+                 "ifs a { newmap scale: 0.5 newmap scale: 0.5 translate: 1,0,0 }\n"
+                 "object left { ifs: a }\nobject right { ifs: a translate: 5,0,0 }\n");
+    for (const char* threads : {"1", "3"})
+        expect_done(folder, {"points", "two.pxm", "-n", "200001", "-o",
+                             std::string(threads) + ".ply", "--threads", threads});
+    EXPECT_TRUE(folder.read("1.ply") == folder.read("3.ply"));
+    const std::string body = body_of(folder.read("1.ply"));
+    std::set<std::string> different;
+    for (std::size_t i = 0; i < 100'000; ++i) different.insert(body.substr(15 * i, 12));
+    EXPECT_GT(different.size(), 99'000U) << "chunks repeat each other";
+}
+
+TEST_F(Points, are_kept_by_a_run_that_goes_on) {
+    const auto command = [](const std::string& out, const std::string& count) {
+        return Arguments{"points", "tetra.pxm", "-n", count, "-o", out, "--quiet"};
+    };
+    expect_done(folder, command("one.ply", "300000"));
+    Arguments keep = command("kept.ply", "300000");
+    keep.insert(keep.end(), {"--keep", "kept"});
+    for (int run = 0; run < 2; ++run) {
+        expect_done(folder, keep);
+        EXPECT_TRUE(folder.read("kept.ply") == folder.read("one.ply"));
+        std::filesystem::remove(folder.path("kept.ply"));
+    }
+    std::string damaged;
+    for (const auto& [name, bytes] : folder.contents())
+        if (name.starts_with("kept/kept-")) damaged = name;
+    folder.write(damaged, folder.read(damaged).substr(0, 1000));
+    EXPECT_EQ(expect_done(folder, keep),
+              "warning: " + damaged + ": was cut short: what it holds is made again\n");
+    EXPECT_TRUE(folder.read("kept.ply") == folder.read("one.ply"));
+    Arguments other = command("other.ply", "300001");
+    other.insert(other.end(), {"--keep", "kept"});
+    expect_refusal_naming(
+        folder, other, 4,
+        {"kept/kept-", "is of other points: another scene, count, seed or version"});
 }
 
 TEST_F(Points, every_object_has_its_share) {
