@@ -25,12 +25,28 @@ std::vector<std::size_t> in_own_order(std::size_t parts) {
     return order;
 }
 
-void wait(const ClaimedParts& parts, const RunControl& control) {
-    const auto pause = std::clamp(parts.expiry / 10, least_pause, most_pause);
-    const auto end = std::chrono::steady_clock::now() + pause;
-    while (!is_stopped(control) && std::chrono::steady_clock::now() < end)
-        std::this_thread::sleep_for(least_pause);
-}
+/// Waits for what others make, an eighth of the time that it has waited already: so a worker that
+/// has nothing to do asks seldom, and ends soon after the last part is there.
+class Patience {
+  public:
+    explicit Patience(std::chrono::milliseconds expiry)
+        : most_(std::clamp(expiry / 10, least_pause, most_pause)) {}
+
+    void wait(const RunControl& control) {
+        const auto now = Clock::now();
+        if (!waits_) since_ = now;
+        waits_ = true;
+        const auto end = now + std::clamp<Clock::duration>((now - since_) / 8, least_pause, most_);
+        while (!is_stopped(control) && Clock::now() < end) std::this_thread::sleep_for(least_pause);
+    }
+    void renew() { waits_ = false; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::chrono::milliseconds most_;
+    bool waits_ = false;
+    Clock::time_point since_;
+};
 
 /// Makes the parts one by one.
 class Worker {
@@ -72,6 +88,7 @@ long default_parts(std::size_t units) {
 std::size_t make_claimed_parts(const ClaimedParts& parts, const RunControl& control) {
     Worker worker(parts);
     std::vector<std::size_t> open = in_own_order(parts.names.size());
+    Patience patience(parts.expiry);
     std::size_t made = 0;
     while (!open.empty() && !is_stopped(control)) {
         const std::size_t before = open.size();
@@ -81,7 +98,11 @@ std::size_t make_claimed_parts(const ClaimedParts& parts, const RunControl& cont
             if (state == Worker::State::made) ++made;
             return state == Worker::State::made || state == Worker::State::there;
         });
-        if (open.size() == before) wait(parts, control);
+        if (open.size() == before) {
+            patience.wait(control);
+        } else {
+            patience.renew();
+        }
     }
     return made;
 }
