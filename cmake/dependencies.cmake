@@ -32,6 +32,7 @@ if(NOT PXM_IMAGE_TOOLS)
     missing("iconvert of OpenImageIO" openimageio-tools)
 endif()
 needs(zlib zlib1g-dev ZLIB)                            # pictures of the default format
+needs(OpenEXR libopenexr-dev OpenEXR)                  # pictures of that format
 needs(OpenImageIO libopenimageio-dev OpenImageIO)      # image files
 # It also names an opencv4 include folder that nobody installs.
 foreach(property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES)

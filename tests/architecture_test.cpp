@@ -39,6 +39,7 @@ struct Rule {
 // Outside libraries, each known to one place.
 const Rule library_rules[] = {
     {R"(#include\s*<OpenImageIO/)", "host/openimageio/.*", "OpenImageIO"},
+    {R"(#include\s*<OpenEXR/)", "host/openexr/.*", "OpenEXR"},
     {R"(#include\s*<zlib\.h>)", "host/output/png\\.cpp", "zlib"},
     {R"(#include\s*<CLI/)", "host/commands/options\\.cpp", "CLI11"},
     {R"(#include\s*<nlohmann/)", "host/(.*json[^/]*|output/.*|commands/.*|study/.*)",
@@ -68,7 +69,7 @@ const Floors all_floors[] = {
       {"compiled"},
       {"node_program"},
       {"engine"},
-      {"compile", "wide", "output", "openimageio"},
+      {"compile", "wide", "output", "openimageio", "openexr"},
       {"import"},
       {"render"},
       {"parts"},
@@ -274,6 +275,7 @@ TEST(Architecture, machine_and_kernels_know_the_standard_library_alone) {
 TEST(Architecture, an_outside_library_is_known_to_one_place) {
     const std::vector<std::pair<std::string, std::string>> homes{
         {"OpenImageIO/imageio.h", "host/openimageio/picture_library.cpp"},
+        {"OpenEXR/ImfHeader.h", "host/openexr/exr_output.cpp"},
         {"CLI/CLI.hpp", "host/commands/options.cpp"},
         {"nlohmann/json.hpp", "host/output/statistics_json.cpp"},
         {"Eigen/SVD", "host/math/lipschitz.cpp"},

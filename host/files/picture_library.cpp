@@ -20,26 +20,25 @@ namespace fs = std::filesystem;
 
 /// Where the module may lie: beside the program, as it is built and installed, or where it was
 /// built, for programs elsewhere that use pxm as a library.
-std::vector<fs::path> module_places() {
+std::vector<fs::path> module_places(const char* name) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     std::vector<fs::path> places;
-    if (!error) places.push_back(program.parent_path().parent_path() / "lib/pxm" / picture_module);
-    places.push_back(fs::path(PXM_MODULE_FOLDER) / picture_module);
+    if (!error) places.push_back(program.parent_path().parent_path() / "lib/pxm" / name);
+    places.push_back(fs::path(PXM_MODULE_FOLDER) / name);
     return places;
 }
 
-PictureLibrary* load() {
+PictureLibrary* load(const char* name, const char* function, const char* library) {
     std::string why;
-    for (const fs::path& place : module_places()) {
+    for (const fs::path& place : module_places(name)) {
         // Lazy: of the many thousand functions that it brings, a picture calls few.
         void* module = dlopen(place.c_str(), RTLD_LAZY | RTLD_LOCAL);
-        void* make = module ? dlsym(module, picture_module_function) : nullptr;
+        void* make = module ? dlsym(module, function) : nullptr;
         if (make != nullptr) return reinterpret_cast<PictureModuleFunction*>(make)();
         if (why.empty()) why = dlerror();
     }
-    throw Error(ErrorKind::failed,
-                fmt::format("OpenImageIO, for pictures other than PNG, cannot be loaded: {}", why));
+    throw Error(ErrorKind::failed, fmt::format("{} cannot be loaded: {}", library, why));
 }
 
 /// OpenImageIO adds to the path of its plug-ins whatever is set here.
@@ -55,8 +54,15 @@ std::future<void>& loading() {
 PictureLibrary& picture_library() {
     static PictureLibrary& library = []() -> PictureLibrary& {
         forget_plugins();
-        return *load();
+        return *load(picture_module, picture_module_function,
+                     "OpenImageIO, for pictures other than PNG and EXR,");
     }();
+    return library;
+}
+
+PictureLibrary& exr_library() {
+    static PictureLibrary& library =
+        *load(exr_module, exr_module_function, "OpenEXR, for EXR pictures,");
     return library;
 }
 

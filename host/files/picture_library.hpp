@@ -1,6 +1,7 @@
 // OpenImageIO as pxm sees it. It brings some 260 shared libraries with it, which take half a second
 // to load: so it lies in a module of its own (host/openimageio/), which is loaded when the first
-// file needs it. Nothing else of pxm is linked to it.
+// file needs it. Nothing else of pxm is linked to it. EXR pictures are written by OpenEXR itself,
+// in another module (host/openexr/), which brings four.
 #pragma once
 
 #include <cstddef>
@@ -89,6 +90,9 @@ class PictureLibrary {
 /// The library; the first call loads it. Any thread. Throws Error(ErrorKind::failed) if its module
 /// is not where it was built or installed.
 [[nodiscard]] PictureLibrary& picture_library();
+
+/// The library that writes EXR pictures; it opens none. Otherwise as picture_library().
+[[nodiscard]] PictureLibrary& exr_library();
 
 /// Begins to load the library beside what the caller does next. To be called from the program's
 /// first thread, before there are others: what the environment says of plug-ins is taken out of it.

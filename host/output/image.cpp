@@ -24,7 +24,7 @@ bool is_picture_format(const std::string& path) {
 
 /// What OpenImageIO is known to write: it need not be asked before the render.
 bool is_known_format(const std::string& extension) {
-    constexpr std::array known{"exr", "tif", "tiff", "jpg", "jpeg", "hdr"};
+    constexpr std::array known{"tif", "tiff", "jpg", "jpeg", "hdr"};
     return std::ranges::count(known, extension) > 0;
 }
 
@@ -52,7 +52,8 @@ void require_image_format(const std::string& path, const std::vector<Aov>& aovs)
     const std::string extension = extension_of(path);
     if (is_known_format(extension)) {
         begin_loading_picture_library();
-    } else if (extension != "png" && (extension.empty() || !is_picture_format(path))) {
+    } else if (extension != "png" && extension != "exr" &&
+               (extension.empty() || !is_picture_format(path))) {
         throw Error(ErrorKind::setting, "cannot write " + path + ": unknown image extension \"" +
                                             extension + "\" (png, exr, tif, jpg, ...)");
     }

@@ -1,6 +1,7 @@
-// Pictures of all other formats, through OpenImageIO. Most of its writers ignore the result of a
-// write: on a full disk the picture would lack its end. Those that take a place to write to get one
-// that remembers the first write that failed; what the others wrote is read back and compared.
+// Pictures of all other formats, through OpenImageIO, and EXR through OpenEXR. Most writers ignore
+// the result of a write: on a full disk the picture would lack its end. Those that take a place to
+// write to get one that remembers the first write that failed; what the others wrote is read back
+// and compared.
 #include <fmt/format.h>
 
 #include <new>
@@ -94,7 +95,8 @@ LibraryEncoder::LibraryEncoder(const std::string& path, const CropWindow& window
       part_(path, Places::any),
       bands_(window, floats_ ? channels_.names().size() * sizeof(float) : 3) {
     std::string error;
-    output_ = picture_library().create(part_.beside(), error);
+    PictureLibrary& library = is_exr_ ? exr_library() : picture_library();
+    output_ = library.create(part_.beside(), error);
     if (!output_) cannot_write(path, error);
     if (!takes_bytes(*output_, part_.file())) digest_.emplace();
     // Some formats hold the name: with a place to write to it need not be the part's.

@@ -25,7 +25,7 @@ class Start : public testing::Test {
     Folder folder;
 };
 
-TEST_F(Start, takes_no_image_library_where_no_other_picture_than_a_png_is_written) {
+TEST_F(Start, takes_no_image_library_where_no_other_picture_than_png_or_exr_is_written) {
     const Arguments commands[] = {
         {"--version"},
         {"render", "--help"},
@@ -36,6 +36,7 @@ TEST_F(Start, takes_no_image_library_where_no_other_picture_than_a_png_is_writte
         {"points", "tetra.pxm", "-n", "10", "-o", "a.ply"},
         {"render", "tetra.pxm", "--pixel", "3,3", "--size", "8x8"},
         {"render", "tetra.pxm", "-o", "a.png", "--size", "8x8", "--quiet", "--stats", "a.json"},
+        {"render", "tetra.pxm", "-o", "a.exr", "--size", "8x8", "--quiet", "--aov", "Z,N"},
     };
     for (const Arguments& arguments : commands)
         EXPECT_FALSE(loads_openimageio(folder, arguments)) << arguments[0];
@@ -43,7 +44,8 @@ TEST_F(Start, takes_no_image_library_where_no_other_picture_than_a_png_is_writte
 
 TEST_F(Start, takes_it_where_a_picture_needs_it) {
     EXPECT_TRUE(loads_openimageio(
-        folder, {"render", "tetra.pxm", "-o", "a.exr", "--size", "8x8", "--quiet"}));
+        folder, {"render", "tetra.pxm", "-o", "a.tif", "--size", "8x8", "--quiet"}));
+    expect_done(folder, {"render", "tetra.pxm", "-o", "a.exr", "--size", "8x8", "--quiet"});
     EXPECT_TRUE(loads_openimageio(folder, {"compare", "a.exr", "a.exr"}));
 }
 
