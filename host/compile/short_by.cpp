@@ -9,6 +9,7 @@
 
 #include "host/fractal/bounds/farthest.hpp"
 #include "host/fractal/bounds/support.hpp"
+#include "host/math/rounding.hpp"
 
 namespace pxm::host {
 
@@ -20,28 +21,29 @@ constexpr long budget = 1'000'000;           // cells looked at for one reach
 constexpr int most_reaches = 600;            // for one mantle
 constexpr double share = 1e-3;               // of what sticks out: told this exactly
 
-/// Reaches of one set, and which of their differences are rounding.
+/// Reaches of one set, rounding or not, and which of their differences a scene's own numbers may be
+/// off by.
 class Excess {
   public:
     /// `known` must outlive it.
     Excess(const Rifs& rifs, const Approximation& known, const Bounds& own, int set)
         : rifs_(rifs), set_(set), known_(known) {
         const glm::dvec3 farthest = glm::max(glm::abs(own.box.low), glm::abs(own.box.high));
-        rounding_ = margin * own.ball.radius +
-                    coordinate_margin * std::max({farthest.x, farthest.y, farthest.z});
+        farthest_ = std::max({farthest.x, farthest.y, farthest.z});
+        rounding_ = margin * own.ball.radius + coordinate_margin * farthest_;
     }
 
     [[nodiscard]] double over(const SphereVolume& volume) const {
         const FarthestGoal goal{volume.radius + rounding_, rounding_, share, budget};
-        return farthest(rifs_, known_, set_, volume.center, goal).upper - volume.radius;
+        return above(farthest(rifs_, known_, set_, volume.center, goal).at_most() - volume.radius);
     }
     [[nodiscard]] double over(const BoxVolume& volume) const {
         double over = -std::numeric_limits<double>::infinity();
         for (int axis = 0; axis < 3; ++axis) {
             glm::dvec3 u{0.0};
             u[axis] = 1;
-            over = std::max(
-                {over, reach_along(u) - volume.high[axis], reach_along(-u) + volume.low[axis]});
+            over = std::max({over, above(reach_along(u) - volume.high[axis]),
+                             above(reach_along(-u) + volume.low[axis])});
         }
         return over;
     }
@@ -65,12 +67,15 @@ class Excess {
     };
 
     [[nodiscard]] double reach_along(const glm::dvec3& u) const {
-        return reach(rifs_, known_, set_, u, rounding_, budget).upper;
+        return reach(rifs_, known_, set_, u, rounding_, budget).at_most();
     }
 
     /// h(e + slope y) - 1 at a horizontal direction e of that angle and length.
     [[nodiscard]] double over_at(double angle, double length, double slope) const {
-        return reach_along({length * std::cos(angle), slope, length * std::sin(angle)}) - 1;
+        const glm::dvec3 u{length * std::cos(angle), slope, length * std::sin(angle)};
+        // The direction itself is rounded, and with it how far that is.
+        const double of_direction = rounding_of(sum_of_parts(u) * (1 + farthest_));
+        return above(reach_along(u) - 1 + of_direction);
     }
 
     /// The most that h(e + slope y) exceeds 1 for a horizontal unit vector e. The directions of an
@@ -107,6 +112,7 @@ class Excess {
     const Rifs& rifs_;
     int set_;
     const Approximation& known_;
+    double farthest_;  // coordinate of a point
     double rounding_;
 };
 

@@ -1,5 +1,6 @@
 // What is known of the attractor while it is being bounded: for each follow set, volumes that
-// contain E_s and points that belong to it.
+// contain E_s and points that belong to it. Volumes are what double makes of them; what rounding
+// took from each is carried beside it.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,23 +10,43 @@
 #include "host/fractal/bounds/inner_points.hpp"
 #include "host/fractal/bounds/oriented_box.hpp"
 #include "host/fractal/bounds/support_grid.hpp"
+#include "host/math/rounding.hpp"
 
 namespace pxm::host {
+
+/// By how much E_s may stick out of its volumes, along each axis.
+struct Shortfall {
+    double ball = 0;
+    double box = 0;
+    double oriented = 0;
+};
 
 struct Approximation {
     std::vector<Bounds> outer;
     std::vector<OrientedBox> oriented;  // around E_s as well
     std::vector<Points> inner;
-    SupportGrid grid;  // empty, or the support functions in many directions
+    SupportGrid grid;       // empty, or the support functions in many directions
+    std::vector<Box> sure;  // as `outer`, every step rounded outward
+    std::vector<Shortfall> shortfall;
 };
 
-/// How far E_set can reach in direction u: the least that its volumes allow.
-[[nodiscard]] double volume_support(const Approximation& known, int set, const glm::dvec3& u);
+/// How far E_set can reach in direction u: the least that its volumes allow, and what they may be
+/// short by.
+[[nodiscard]] Rounded volume_support(const Approximation& known, int set, const glm::dvec3& u);
 
-/// What bounds and the system itself tell. Oriented boxes are the bounds' own boxes.
+/// No smaller than the coordinates of the points of E_set, in size.
+[[nodiscard]] glm::dvec3 coordinates(const Approximation& known, int set);
+
+/// What bounds and the system itself tell. Oriented boxes are the bounds' own boxes. Precondition:
+/// the bounds contain each E_s, without a margin.
 [[nodiscard]] Approximation approximation(const Rifs& rifs, const std::vector<Bounds>& bounds);
 
-/// The box as an oriented one.
+/// What bounds alone tell.
+[[nodiscard]] Approximation approximation(const std::vector<Bounds>& bounds,
+                                          std::vector<Points> inner);
+
+/// The box as an oriented one, and what rounding may take from it.
 [[nodiscard]] OrientedBox as_oriented(const Box& box);
+[[nodiscard]] double shortfall_of_oriented(const Box& box);
 
 }  // namespace pxm::host

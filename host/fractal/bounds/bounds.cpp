@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "host/fractal/bounds/enclosing_ball.hpp"
 #include "host/fractal/bounds/farthest.hpp"
@@ -18,8 +19,10 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double margin = 1e-9;              // of the size: added to the volumes returned
-constexpr double coordinate_margin = 1e-11;  // of the coordinates, for their rounding
+// Added to the volumes returned, so that they are the same on computers that round otherwise; what
+// rounding took is known, and added instead where it is more.
+constexpr double margin = 1e-9;              // of the size
+constexpr double coordinate_margin = 1e-11;  // of the coordinates
 constexpr double box_tolerance = 1e-6;       // of the size
 constexpr double oriented_tolerance = 1e-4;  // of the size
 constexpr double ball_tolerance = 0.003;  // of the radius: a ball this near to the smallest will do
@@ -57,6 +60,7 @@ double tighten_box(const Rifs& rifs, Approximation& known, int set, long budget)
     const double size = size_of(known.inner[set], known.outer[set]);
     const double tolerance = box_tolerance * size;
     double slack = 0;
+    Box& sure = known.sure[set];
     for (int axis = 0; axis < 3; ++axis) {
         for (const double sign : {-1.0, 1.0}) {
             glm::dvec3 u{0.0};
@@ -65,9 +69,12 @@ double tighten_box(const Rifs& rifs, Approximation& known, int set, long budget)
             Box& box = known.outer[set].box;
             if (sign < 0) {
                 box.low[axis] = std::max(box.low[axis], -found.upper);
+                sure.low[axis] = std::max(sure.low[axis], -found.at_most());
             } else {
                 box.high[axis] = std::min(box.high[axis], found.upper);
+                sure.high[axis] = std::min(sure.high[axis], found.at_most());
             }
+            known.shortfall[set].box = shortfall_of_box(box, sure);
             known.inner[set].push_back(found.point);
             slack = std::max(slack, (found.upper - found.lower) / size);
         }
@@ -82,13 +89,21 @@ void tighten_oriented_box(const Rifs& rifs, Approximation& known, int set, long 
     const glm::dmat3 axes = principal_axes(known.inner[set]);
     glm::dvec3 low;
     glm::dvec3 high;
+    double rounding = 0;
     for (int i = 0; i < 3; ++i) {
-        high[i] = reach(rifs, known, set, axes[i], tolerance, budget / 6).upper;
-        low[i] = -reach(rifs, known, set, -axes[i], tolerance, budget / 6).upper;
+        const Reach up = reach(rifs, known, set, axes[i], tolerance, budget / 6);
+        const Reach down = reach(rifs, known, set, -axes[i], tolerance, budget / 6);
+        high[i] = up.upper;
+        low[i] = -down.upper;
+        rounding = std::max({rounding, up.rounding, down.rounding});
     }
     const Box& box = known.outer[set].box;
     const bool smaller = volume(high - low) < volume(box.high - box.low);
     known.oriented[set] = smaller ? oriented_box(axes, low, high) : as_oriented(box);
+    Shortfall& shortfall = known.shortfall[set];
+    shortfall.oriented =
+        smaller ? 3 * rounding + shortfall_along(axes, low, high, coordinates(known, set))
+                : shortfall.box + shortfall_of_oriented(box);
 }
 
 /// Shrinks the ball of one set: the smallest ball of some of its points is moved until no point of
@@ -104,7 +119,10 @@ double tighten_ball(const Rifs& rifs, Approximation& known, int set, long budget
         const FarthestGoal goal{enough, inner.radius * ball_tolerance / 4, 0.25, budget / 2};
         const Reach found = farthest(rifs, known, set, inner.center, goal);
         budget -= found.cells + cells_per_move;
-        if (found.upper < best.radius) best = {inner.center, found.upper};
+        if (found.upper < best.radius) {
+            best = {inner.center, found.upper};
+            known.shortfall[set].ball = found.rounding;
+        }
         if (found.upper <= enough || found.lower <= inner.radius * (1 + ball_tolerance / 4)) break;
         points.push_back(found.point);
     }
@@ -112,12 +130,29 @@ double tighten_ball(const Rifs& rifs, Approximation& known, int set, long budget
     return needed > 0 ? best.radius / needed - 1 : std::numeric_limits<double>::infinity();
 }
 
-void add_margin(Bounds& bounds) {
-    const double rounding = coordinate_margin * coordinate_size(bounds);
-    bounds.ball.radius += margin * bounds.ball.radius + rounding;
-    const glm::dvec3 more = margin * (bounds.box.high - bounds.box.low) + glm::dvec3{rounding};
-    bounds.box.low -= more;
-    bounds.box.high += more;
+/// The margin, and where it is too small for what rounding took, more; with room for the rounding
+/// of a few steps, in other coordinates or as an oriented box.
+void add_margin(Bounds& bounds, const Box& sure, double shortfall_of_ball) {
+    const double of_places = coordinate_margin * coordinate_size(bounds);
+    const double room = rounding_of(coordinate_size(bounds));
+    Ball& ball = bounds.ball;
+    Box& box = bounds.box;
+    const double sure_radius =
+        above(ball.radius + shortfall_of_ball) + room + rounding_of(ball.radius);
+    ball.radius += margin * ball.radius + of_places;
+    ball.radius = std::max(ball.radius, sure_radius);
+    const glm::dvec3 more = margin * (box.high - box.low) + glm::dvec3{of_places};
+    box.low = glm::min(box.low - more, sure.low - room);
+    box.high = glm::max(box.high + more, sure.high + room);
+}
+
+/// The first boxes are the balls' own, as double has their ends: these are off by a rounding.
+void widen(Box& sure, const Ball& ball) {
+    for (int i = 0; i < 3; ++i) {
+        const double end = rounding_of(std::abs(ball.center[i]) + ball.radius);
+        sure.low[i] = below(sure.low[i] - end);
+        sure.high[i] = above(sure.high[i] + end);
+    }
 }
 
 long edges_of(const Rifs& rifs) {
@@ -137,7 +172,7 @@ double tighten(const Rifs& rifs, Approximation& known) {
         slack = std::max(slack, tighten_box(rifs, known, s, budget));
         if (edges <= large_graph) tighten_oriented_box(rifs, known, s, budget);
     }
-    shrink_boxes(rifs, known.outer);
+    shrink_boxes(rifs, known);
     for (int s = 0; s < sets; ++s) {
         double& ball_slack = known.outer[s].ball_slack;
         ball_slack = tighten_ball(rifs, known, s, budget);
@@ -149,18 +184,25 @@ double tighten(const Rifs& rifs, Approximation& known) {
 }  // namespace
 
 std::vector<Bounds> bound(const Rifs& rifs, const Contraction& contraction) {
-    Approximation known;
-    known.inner = inner_points(rifs);
-    known.outer = invariant_volumes(rifs, contraction, known.inner);
-    shrink_boxes(rifs, known.outer);
-    for (const Bounds& bounds : known.outer) known.oriented.push_back(as_oriented(bounds.box));
+    std::vector<Points> inner = inner_points(rifs);
+    std::vector<Bounds> first = invariant_volumes(rifs, contraction, inner);
+    Approximation known = approximation(first, std::move(inner));
+    for (std::size_t s = 0; s < first.size(); ++s) widen(known.sure[s], first[s].ball);
+    shrink_boxes(rifs, known);
+    for (std::size_t s = 0; s < known.outer.size(); ++s) {
+        const Box& box = known.outer[s].box;
+        known.oriented[s] = as_oriented(box);
+        known.shortfall[s].oriented = known.shortfall[s].box + shortfall_of_oriented(box);
+    }
     const int rounds = edges_of(rifs) <= large_graph ? most_rounds : 1;
     // A further round starts from the volumes of the last and gets farther with the same budget.
     for (int round = 0; round < rounds; ++round) {
         if (round > 0) refine_by_grid(rifs, known);
         if (tighten(rifs, known) <= coarse) break;
     }
-    for (Bounds& bounds : known.outer) add_margin(bounds);
+    for (std::size_t s = 0; s < known.outer.size(); ++s) {
+        add_margin(known.outer[s], known.sure[s], known.shortfall[s].ball);
+    }
     return known.outer;
 }
 

@@ -20,11 +20,14 @@ struct Box {
     glm::dvec3 high{0.0};
 };
 
-/// Bounds of E_s for one follow set s. Each contains E_s with a relative margin of about 1e-9.
+/// Bounds of E_s for one follow set s, for the maps as the doubles that they are. Each contains E_s
+/// with a margin of about 1e-9; where rounding may have taken more than that, it is larger by that.
 struct Bounds {
     Ball ball;
     Box box;
-    double ball_slack = 0;  // ball.radius is at most (1 + ball_slack) times the smallest ball's
+    // Without the margin, ball.radius is at most (1 + ball_slack) times that of the smallest ball
+    // around points of E_s, as double has these.
+    double ball_slack = 0;
 };
 
 /// Bounds for every follow set. Precondition: the system contracts (`proof` is not none).

@@ -32,38 +32,68 @@ long edges_of(const Rifs& rifs) {
 
 SupportGrid grid_of(const Approximation& known, int steps) {
     std::vector<glm::dvec3> centers;
-    for (const Bounds& bounds : known.outer) centers.push_back(bounds.ball.center);
-    SupportGrid grid(steps, centers);
+    std::vector<double> extents;
+    for (std::size_t s = 0; s < known.outer.size(); ++s) {
+        const Ball& ball = known.outer[s].ball;
+        centers.push_back(ball.center);
+        extents.push_back(above(ball.radius + known.shortfall[s].ball));
+    }
+    SupportGrid grid(steps, centers, extents);
     for (std::size_t s = 0; s < centers.size(); ++s) {
         const int set = static_cast<int>(s);
         for (int i = 0; i < grid.directions().size(); ++i) {
             const glm::dvec3& u = grid.directions().point(i);
-            grid.value(set, i) = volume_support(known, set, u) - glm::dot(u, centers[s]);
+            const auto [reach, rounding] = volume_support(known, set, u);
+            const double terms = std::abs(reach) + dot_of_parts(u, centers[s]);
+            grid.set_value(set, i,
+                           {reach - glm::dot(u, centers[s]), rounding + rounding_of(terms)});
         }
     }
     return grid;
 }
 
+/// By how much the grid's own rounding may keep a ball about `center` from holding the set. At
+/// grid points u, |u| is no shorter than steps / sqrt 3.
+double ball_rounding(const SupportGrid& grid, int set, const Ball& ball) {
+    const DirectionGrid& directions = grid.directions();
+    double most = 0;
+    for (int i = 0; i < directions.size(); ++i) {
+        if (!directions.is_point(i)) continue;
+        const auto& [value, rounding] = grid.value(set, i);
+        const glm::dvec3& u = directions.point(i);
+        const double terms =
+            std::abs(value) + dot_of_parts(u, glm::abs(ball.center) + glm::abs(grid.center(set)));
+        most = std::max(most, rounding + rounding_of(terms));
+    }
+    // The bulge and its product with the radius take some sixty operations more.
+    return 4 * most / directions.steps() + 8 * rounding_of(ball.radius);
+}
+
 /// The smallest ball the grid allows: its centre moves away from where it is largest, in ever
-/// shorter moves.
-void shrink_ball(const SupportGrid& grid, int set, Ball& ball) {
+/// shorter moves. True if it is smaller than the one before.
+bool shrink_ball(const SupportGrid& grid, int set, Ball& ball) {
     const DirectionGrid& directions = grid.directions();
     const double bulge = directions.bulge();
     glm::dvec3 center = grid.center(set);
+    bool shrunk = false;
     for (int move = 1; move <= most_moves; ++move) {
         double radius = 0;
         glm::dvec3 worst{0.0};
         for (int i = 0; i < directions.size(); ++i) {
             if (!directions.is_point(i)) continue;
             const glm::dvec3& u = directions.point(i);
-            const double reach = grid.value(set, i) - glm::dot(u, center - grid.center(set));
+            const double reach = grid.value(set, i).value - glm::dot(u, center - grid.center(set));
             if (reach <= radius * glm::length(u)) continue;
             radius = reach / glm::length(u);
             worst = glm::normalize(u);
         }
-        if (radius * bulge < ball.radius) ball = {center, radius * bulge};
+        if (radius * bulge < ball.radius) {
+            ball = {center, radius * bulge};
+            shrunk = true;
+        }
         center += worst * (radius / (move + 1));
     }
+    return shrunk;
 }
 
 /// A point of E_set that reaches far in direction u: the maps that the grid thinks best, one after
@@ -113,7 +143,10 @@ void refine_by_grid(const Rifs& rifs, Approximation& known) {
     const long longest =
         std::clamp<long>(rollout_work / (edges * directions_of(coarsest)), 1, longest_rollout);
     for (int s = 0; s < sets; ++s) {
-        shrink_ball(known.grid, s, known.outer[s].ball);
+        Ball& ball = known.outer[s].ball;
+        if (shrink_ball(known.grid, s, ball)) {
+            known.shortfall[s].ball = ball_rounding(known.grid, s, ball);
+        }
         Points points = known.inner[s];
         for (int i = 0; i < few.size(); ++i) {
             if (few.is_point(i)) points.push_back(far_point(rifs, known, s, few.point(i), longest));

@@ -1,9 +1,13 @@
 #include "host/fractal/bounds/oriented_box.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "host/math/bracket_matrix.hpp"
+#include "host/math/rounding.hpp"
 #include "host/math/spectrum.hpp"
 
 namespace pxm::host {
@@ -29,6 +33,22 @@ OrientedBox oriented_box(const glm::dmat3& axes, const glm::dvec3& low, const gl
     box.center = axes * ((low + high) / 2.0);
     for (int i = 0; i < 3; ++i) box.half[i] = axes[i] * ((high[i] - low[i]) / 2);
     return box;
+}
+
+double shortfall_along(const glm::dmat3& axes, const glm::dvec3& low, const glm::dvec3& high,
+                       const glm::dvec3& places) {
+    // x = A A^T x + (I - A A^T) x; the former is in the box.
+    const BracketMatrix product = BracketMatrix{axes} * BracketMatrix{glm::transpose(axes)};
+    double askew = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const Bracket rest =
+                product[i][static_cast<std::size_t>(j)] - Bracket{i == j ? 1.0 : 0.0};
+            askew = std::max(askew, rest.magnitude());
+        }
+    }
+    return 2 * askew * sum_of_parts(places) +
+           3 * rounding_of(sum_of_parts(low) + sum_of_parts(high));
 }
 
 }  // namespace pxm::host

@@ -25,4 +25,10 @@ struct OrientedBox {
 [[nodiscard]] OrientedBox oriented_box(const glm::dmat3& axes, const glm::dvec3& low,
                                        const glm::dvec3& high);
 
+/// By how much, along each axis of space, points may lie outside of that box although none is below
+/// low or above high along `axes` and none has coordinates beyond `places`: axes are a rotation up
+/// to rounding, and so is the box what it should be.
+[[nodiscard]] double shortfall_along(const glm::dmat3& axes, const glm::dvec3& low,
+                                     const glm::dvec3& high, const glm::dvec3& places);
+
 }  // namespace pxm::host

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
 
 #include "host/fractal/bounds/support.hpp"
@@ -11,8 +12,8 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double margin = 1e-9;              // of the size: added to each offset
-constexpr double coordinate_margin = 1e-11;  // of the coordinates
+constexpr double margin = 1e-9;  // of the size: added to each offset, unless rounding took more
+constexpr double coordinate_margin = 1e-11;  // ... and of the coordinates
 constexpr double tolerance = 1e-5;           // of the size: of each offset
 constexpr double flat = 1e-3;                // of the size: points this near to a plane lie in it
 constexpr double same_normal = 5e-3;         // distance of unit vectors
@@ -99,12 +100,20 @@ bool is_bounded(const std::vector<glm::dvec3>& normals) {
     return normals.size() > 3;
 }
 
-double offset(const Rifs& rifs, const Approximation& known, int set, const glm::dvec3& normal) {
+/// An offset, and what it is more than the reach, rounding or not.
+struct Offset {
+    double with_margin;
+    double room;
+};
+
+Offset offset(const Rifs& rifs, const Approximation& known, int set, const glm::dvec3& normal) {
     const Bounds& bounds = known.outer[set];
     const double size = bounds.ball.radius;
     const double far = glm::length(bounds.ball.center);
-    return reach(rifs, known, set, normal, tolerance * size, budget).upper + margin * size +
-           coordinate_margin * far;
+    const Reach found = reach(rifs, known, set, normal, tolerance * size, budget);
+    const double with_margin = found.upper + margin * size + coordinate_margin * far;
+    const double sure = found.at_most() + rounding_of(size + far);  // room in other coordinates
+    return {std::max(with_margin, sure), std::max(below(with_margin - sure), 0.0)};
 }
 
 /// Where three planes meet, unless two of them are all but parallel.
@@ -129,7 +138,7 @@ Polytope polytope(const Rifs& rifs, const Approximation& known, int set) {
     if (normals.size() > most_half_spaces || !is_bounded(normals)) normals = usual_normals(points);
     Polytope result;
     for (const glm::dvec3& normal : normals) {
-        result.push_back({normal, offset(rifs, known, set, normal)});
+        result.push_back({normal, offset(rifs, known, set, normal).with_margin});
     }
     return result;
 }
@@ -168,9 +177,19 @@ OrientedBox oriented_box(const Rifs& rifs, const Approximation& known, int set) 
     const glm::dmat3 axes = principal_axes(known.inner[set]);
     glm::dvec3 low;
     glm::dvec3 high;
+    double room = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {
-        low[i] = -offset(rifs, known, set, -axes[i]);
-        high[i] = offset(rifs, known, set, axes[i]);
+        const Offset down = offset(rifs, known, set, -axes[i]);
+        const Offset up = offset(rifs, known, set, axes[i]);
+        low[i] = -down.with_margin;
+        high[i] = up.with_margin;
+        room = std::min({room, down.room, up.room});
+    }
+    // Along the axes of the box that is up to sqrt 3 times as much.
+    const double missing = 2 * shortfall_along(axes, low, high, coordinates(known, set)) - room;
+    if (missing > 0) {
+        low -= 2 * missing;
+        high += 2 * missing;
     }
     const Box& box = known.outer[set].box;
     return volume(high - low) < volume(box.high - box.low) ? oriented_box(axes, low, high)

@@ -10,6 +10,9 @@
 #include <queue>
 #include <unordered_map>
 
+#include "host/fractal/bounds/reach_proof.hpp"
+#include "host/math/rounding.hpp"
+
 namespace pxm::host {
 
 namespace {
@@ -22,11 +25,11 @@ constexpr long default_budget = 2'000'000;  // cells looked at by support()
 /// A word of maps; what it does to the reach in direction u is u . W(x) = offset + direction . x.
 struct Cell {
     double upper;
-    double offset;
-    glm::dvec3 direction;
+    ReachOfCell reach;
     int set;  // what stands inside
     int parent;
     int map;
+    double inner = 0;  // known of the reach in its direction
     bool dominated = false;
 };
 
@@ -55,7 +58,7 @@ class ReachSearch {
 
     Reach search(int set, const glm::dvec3& u, long budget) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        add({infinity, 0, u, set, -1, -1});
+        add({infinity, {0, u, 0, infinity}, set, -1, -1});
         while (!queue_.empty() && queue_.top().first > lower_ + tolerance_ && looked_at_ < budget) {
             const int next = queue_.top().second;
             queue_.pop();
@@ -64,7 +67,8 @@ class ReachSearch {
         }
         double upper = std::max(lower_, upper_of_dropped_);
         if (!queue_.empty()) upper = std::max(upper, queue_.top().first);
-        return {upper, lower_, best_point(), looked_at_};
+        const double sure = proof_.at_most(upper);
+        return {upper, sure <= upper ? 0 : above(sure - upper), lower_, best_point(), looked_at_};
     }
 
   private:
@@ -77,67 +81,95 @@ class ReachSearch {
     long expand(int index) {
         const Cell cell = cells_[index];
         const std::vector<int>& maps = rifs_.follow_sets[cell.set].maps;
+        proof_.expand(index);
         for (const int m : maps) {
-            const Affine& map = rifs_.maps[m];
-            add({cell.upper, cell.offset + glm::dot(cell.direction, map.translation),
-                 cell.direction * map.linear, rifs_.follow_of[m], index, m});
+            add({cell.upper, inside(cell.reach, m), rifs_.follow_of[m], index, m});
         }
         return static_cast<long>(maps.size());
+    }
+
+    /// The reach in a cell of what stands in one more map. For every point of it the equation is
+    /// off by what it was off by before, and by the rounding of this step.
+    [[nodiscard]] ReachOfCell inside(const ReachOfCell& cell, int m) const {
+        const auto& [linear, translation] = rifs_.maps[m];
+        ReachOfCell result{cell.offset + glm::dot(cell.direction, translation),
+                           cell.direction * linear, cell.error, cell.sure};
+        const glm::dvec3 places =
+            terms_of(linear, coordinates(known_, rifs_.follow_of[m]), translation);
+        result.error += rounding_of(std::abs(cell.offset) + std::abs(result.offset) +
+                                    dot_of_parts(cell.direction, places));
+        return result;
     }
 
     /// Takes a cell in unless it cannot reach farther than what is known. Its `upper` is its
     /// parent's.
     void add(Cell cell) {
-        const double outer = volume_support(known_, cell.set, cell.direction);
-        const glm::dvec3& point = extreme(known_.inner[cell.set], cell.direction);
-        const double inner = glm::dot(point, cell.direction);
-        cell.upper = std::min(cell.upper, cell.offset + outer);
-        const bool farther = cell.offset + inner > lower_;
+        const double offset = cell.reach.offset;
+        const glm::dvec3& direction = cell.reach.direction;
+        const Rounded of_volumes = volume_support(known_, cell.set, direction);
+        const double outer = of_volumes.value;
+        const glm::dvec3& point = extreme(known_.inner[cell.set], direction);
+        const double inner = glm::dot(point, direction);
+        cell.upper = std::min(cell.upper, offset + outer);
+        cell.reach.limit_to(of_volumes);
+        const bool farther = offset + inner > lower_;
         if (!farther && cell.upper <= lower_ + tolerance_) {
             upper_of_dropped_ = std::max(upper_of_dropped_, cell.upper);
+            proof_.close(cell.parent, cell.reach.sure);
             return;
         }
-        const int index = static_cast<int>(cells_.size());
-        if (!farther && is_dominated(cell, index, inner, outer)) return;
         if (farther) {
-            lower_ = cell.offset + inner;
-            best_ = index;
+            lower_ = offset + inner;
+            best_ = static_cast<int>(cells_.size());
             best_inner_ = point;
-            is_dominated(cell, index, inner, outer);
         }
+        const int ahead = find_ahead(cell, inner, outer);
+        if (ahead >= 0 && !farther) {
+            proof_.drop(cell.parent, cell.reach.sure, yield_of(cell, cells_[ahead], ahead));
+            return;
+        }
+        queue_.emplace(cell.upper, static_cast<int>(cells_.size()));
+        proof_.add(cell.parent, cell.reach.sure);
         cells_.push_back(cell);
-        queue_.emplace(cell.upper, index);
+    }
+
+    [[nodiscard]] Yield yield_of(const Cell& cell, const Cell& to, int index) const {
+        return yield(cell.reach, to.reach, index, coordinates(known_, cell.set));
     }
 
     /// Compares a cell with others of its heading: cells reach offset + scale h for one unknown h
-    /// between `inner` and `outer` over the scale, so one that is ahead at both ends is ahead.
-    bool is_dominated(const Cell& cell, int index, double inner, double outer) {
-        const double scale = glm::length(cell.direction);
-        if (!(scale > std::numeric_limits<double>::min())) return false;
+    /// between `inner` and `outer` over the scale, so one that is ahead at both ends is ahead. The
+    /// number of one that is; else -1, and those that this one is ahead of are left out.
+    int find_ahead(const Cell& cell, double inner, double outer) {
+        const double scale = glm::length(cell.reach.direction);
+        if (!(scale > std::numeric_limits<double>::min())) return -1;
+        const double offset = cell.reach.offset;
         std::vector<Rival>& rivals = rivals_[heading(cell, scale)];
-        const double slack = rounding * (std::abs(cell.offset) + std::abs(outer) + std::abs(inner));
+        const double slack = rounding * (std::abs(offset) + std::abs(outer) + std::abs(inner));
         const auto ahead = [&](const Rival& a, const Rival& b, double allowed) {
             const double low = a.offset - b.offset + (a.scale - b.scale) * (inner / scale);
             const double high = a.offset - b.offset + (a.scale - b.scale) * (outer / scale);
             return std::min(low, high) >= -allowed;
         };
-        const Rival self{index, cell.offset, scale};
+        const Rival self{static_cast<int>(cells_.size()), offset, scale};
         for (const Rival& rival : rivals) {
-            if (ahead(rival, self, slack)) return true;
+            if (ahead(rival, self, slack)) return rival.cell;
         }
         std::erase_if(rivals, [&](const Rival& rival) {
             if (!ahead(self, rival, 0)) return false;
-            cells_[rival.cell].dominated = true;
+            Cell& behind = cells_[rival.cell];
+            behind.dominated = true;
+            proof_.leave_out(rival.cell, yield_of(behind, cell, self.cell));
             return true;
         });
         if (rivals.size() < most_rivals) rivals.push_back(self);
-        return false;
+        return -1;
     }
 
     static Heading heading(const Cell& cell, double scale) {
         Heading result{cell.set, {}};
         for (int i = 0; i < 3; ++i) {
-            result.direction[i] = std::llround(cell.direction[i] / scale * direction_grid);
+            result.direction[i] = std::llround(cell.reach.direction[i] / scale * direction_grid);
         }
         return result;
     }
@@ -154,6 +186,7 @@ class ReachSearch {
     const Approximation& known_;
     double tolerance_;
     std::vector<Cell> cells_;
+    ReachProof proof_;
     std::priority_queue<std::pair<double, int>> queue_;
     std::unordered_map<Heading, std::vector<Rival>, HeadingHash> rivals_;
     double lower_ = -std::numeric_limits<double>::infinity();
@@ -172,7 +205,7 @@ Reach reach(const Rifs& rifs, const Approximation& known, int set, const glm::dv
 
 double support(const Rifs& rifs, const std::vector<Bounds>& bounds, int set, const glm::dvec3& u,
                double tolerance) {
-    return reach(rifs, approximation(rifs, bounds), set, u, tolerance, default_budget).upper;
+    return reach(rifs, approximation(rifs, bounds), set, u, tolerance, default_budget).at_most();
 }
 
 }  // namespace pxm::host

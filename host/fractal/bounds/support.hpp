@@ -13,17 +13,22 @@
 namespace pxm::host {
 
 struct Reach {
-    double upper = 0;  // h is not larger
-    double lower = 0;  // ... nor smaller: the reach of `point`
+    double upper = 0;     // h is not larger, up to ...
+    double rounding = 0;  // ... what may be missing for rounding
+    double lower = 0;     // the reach of `point`, as computed
     glm::dvec3 point{0.0};
     long cells = 0;  // looked at
+
+    /// h is not larger, rounding or not.
+    [[nodiscard]] double at_most() const { return Rounded{upper, rounding}.at_most(); }
 };
 
 /// h_set(u), to `tolerance` unless more than `budget` cells would have to be looked at.
 [[nodiscard]] Reach reach(const Rifs& rifs, const Approximation& known, int set,
                           const glm::dvec3& u, double tolerance, long budget);
 
-/// h_set(u) from above, to `tolerance` unless that takes too long. `bounds` as from bound().
+/// h_set(u) from above, rounding or not, to `tolerance` unless that takes too long. `bounds` as
+/// from bound().
 [[nodiscard]] double support(const Rifs& rifs, const std::vector<Bounds>& bounds, int set,
                              const glm::dvec3& u, double tolerance);
 

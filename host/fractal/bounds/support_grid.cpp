@@ -76,14 +76,18 @@ double DirectionGrid::bulge() const {
     return 1 / nearest;
 }
 
-SupportGrid::SupportGrid(int steps, std::vector<glm::dvec3> centers)
+SupportGrid::SupportGrid(int steps, std::vector<glm::dvec3> centers, std::vector<double> extents)
     : directions_(steps),
       center_(std::move(centers)),
-      value_(center_.size(),
-             std::vector<double>(static_cast<std::size_t>(directions_.size()), 0.0)) {}
+      extent_(std::move(extents)),
+      value_(center_.size(), std::vector<Rounded>(static_cast<std::size_t>(directions_.size()))) {}
 
 double SupportGrid::support(int set, const glm::dvec3& u) const {
     return glm::dot(u, center_[set]) + from_center(set, u);
+}
+
+double SupportGrid::rounding(int set, const glm::dvec3& u) const {
+    return rounding_of(dot_of_parts(u, center_[set])) + rounding_from_center(set, u);
 }
 
 double SupportGrid::from_center(int set, const glm::dvec3& u) const {
@@ -91,9 +95,24 @@ double SupportGrid::from_center(int set, const glm::dvec3& u) const {
         return 0;
     }
     const auto [corner, weight] = directions_.locate(u);
-    const std::vector<double>& value = value_[set];
-    return weight[0] * value[corner[0]] + weight[1] * value[corner[1]] +
-           weight[2] * value[corner[2]];
+    const std::vector<Rounded>& value = value_[set];
+    return weight[0] * value[corner[0]].value + weight[1] * value[corner[1]].value +
+           weight[2] * value[corner[2]].value;
+}
+
+/// The three weights are off by at most 11 u of |u|, u = 2^-53, and with them each part of the
+/// direction that they stand for by 33 u steps |u|; how far the set reaches from its centre along
+/// each of three axes says what that is worth.
+double SupportGrid::rounding_from_center(int set, const glm::dvec3& u) const {
+    const double parts = sum_of_parts(u);
+    if (!(parts > std::numeric_limits<double>::min())) return 2 * parts * extent_[set];
+    const auto [corner, weight] = directions_.locate(u);
+    double rounding = rounding_of(8 * directions_.steps() * parts * extent_[set]);
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+        const Rounded& value = value_[set][corner[i]];
+        rounding += weight[i] * value.rounding + rounding_of(weight[i] * std::abs(value.value));
+    }
+    return rounding;
 }
 
 double SupportGrid::iterate(const Rifs& rifs) {
@@ -109,10 +128,15 @@ double SupportGrid::iterate(const Rifs& rifs) {
                 reach = std::max(reach, reach_of_map(rifs, m, u));
             }
             reach -= glm::dot(u, center_[s]);
-            double& value = value_[s][i];
-            largest = std::max(largest, value);
-            moved = std::max(moved, value - reach);
-            value = std::min(value, reach);
+            Rounded& value = value_[s][i];
+            largest = std::max(largest, value.value);
+            moved = std::max(moved, value.value - reach);
+            if (!(reach < value.value)) continue;
+            value = {reach, 0};
+            for (const int m : rifs.follow_sets[s].maps) {
+                value.rounding = std::max(value.rounding, rounding_of_map(rifs, m, u));
+            }
+            value.rounding += rounding_of(std::abs(reach) + dot_of_parts(u, center_[s]));
         }
         if (largest > 0) change = std::max(change, moved / largest);
     }
@@ -123,6 +147,16 @@ double SupportGrid::reach_of_map(const Rifs& rifs, int map, const glm::dvec3& u)
     const int inside = rifs.follow_of[map];
     return glm::dot(u, rifs.maps[map].point(center_[inside])) +
            from_center(inside, u * rifs.maps[map].linear);
+}
+
+/// u . m(x) = u . m(c) + (u T) . (x - c), of a point x of the set inside with the centre c.
+double SupportGrid::rounding_of_map(const Rifs& rifs, int map, const glm::dvec3& u) const {
+    const int inside = rifs.follow_of[map];
+    const auto& [linear, translation] = rifs.maps[map];
+    const glm::dvec3 of_center = terms_of(linear, center_[inside], translation);
+    const glm::dvec3 of_extent = terms_of(linear, glm::dvec3{extent_[inside]}, glm::dvec3{0.0});
+    return rounding_of(dot_of_parts(u, of_center + of_extent)) +
+           rounding_from_center(inside, u * linear);
 }
 
 int SupportGrid::best_map(const Rifs& rifs, int set, const glm::dvec3& u) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/fractal/system/rifs.hpp"
+#include "host/math/rounding.hpp"
 
 namespace pxm::host {
 
@@ -18,6 +19,8 @@ class DirectionGrid {
   public:
     DirectionGrid() = default;
     explicit DirectionGrid(int steps);
+
+    [[nodiscard]] int steps() const { return steps_; }
 
     /// u = sum of weight[i] * point(corner[i]), all weights at least 0.
     struct Place {
@@ -42,21 +45,25 @@ class DirectionGrid {
     std::vector<glm::dvec3> points_;  // upper half by x and y, then the lower half
 };
 
-/// Upper bounds of h_s on a grid, measured from a centre of each set.
+/// Upper bounds of h_s on a grid, measured from a centre of each set. Beside each value stands what
+/// it may be short by for rounding.
 class SupportGrid {
   public:
     SupportGrid() = default;
-    SupportGrid(int steps, std::vector<glm::dvec3> centers);
+    /// `extents`: no point of E_s is farther from its centre along any axis.
+    SupportGrid(int steps, std::vector<glm::dvec3> centers, std::vector<double> extents);
 
     [[nodiscard]] bool empty() const { return value_.empty(); }
-    /// An upper bound of h_set(u).
+    /// An upper bound of h_set(u), up to its rounding.
     [[nodiscard]] double support(int set, const glm::dvec3& u) const;
+    /// What support() may be short by.
+    [[nodiscard]] double rounding(int set, const glm::dvec3& u) const;
 
     [[nodiscard]] const DirectionGrid& directions() const { return directions_; }
     [[nodiscard]] const glm::dvec3& center(int set) const { return center_[set]; }
     /// h_set - u . center at grid point i.
-    [[nodiscard]] double& value(int set, int i) { return value_[set][i]; }
-    [[nodiscard]] double value(int set, int i) const { return value_[set][i]; }
+    [[nodiscard]] const Rounded& value(int set, int i) const { return value_[set][i]; }
+    void set_value(int set, int i, const Rounded& value) { value_[set][i] = value; }
 
     /// One round of h_s(u) = max h_t(u T_m^T) + u . a_m over all sets and directions, never upward.
     /// Returns the largest change as a share of the largest value of its set.
@@ -67,11 +74,14 @@ class SupportGrid {
 
   private:
     [[nodiscard]] double reach_of_map(const Rifs& rifs, int map, const glm::dvec3& u) const;
+    [[nodiscard]] double rounding_of_map(const Rifs& rifs, int map, const glm::dvec3& u) const;
     [[nodiscard]] double from_center(int set, const glm::dvec3& u) const;
+    [[nodiscard]] double rounding_from_center(int set, const glm::dvec3& u) const;
 
     DirectionGrid directions_;
     std::vector<glm::dvec3> center_;
-    std::vector<std::vector<double>> value_;  // by set, then grid point
+    std::vector<double> extent_;
+    std::vector<std::vector<Rounded>> value_;  // by set, then grid point
 };
 
 }  // namespace pxm::host

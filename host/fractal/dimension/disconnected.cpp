@@ -13,6 +13,7 @@
 #include "host/fractal/system/growth.hpp"
 #include "host/fractal/system/word_sums.hpp"
 #include "host/math/lipschitz.hpp"
+#include "host/math/rounding.hpp"
 
 namespace pxm::host {
 
@@ -20,7 +21,9 @@ namespace {
 
 constexpr double same_point = 1e-11;    // of the attractor's size: points nearer are one
 constexpr double smallest_cell = 1e-8;  // of the size: cells this small that are not apart touch
-constexpr double gap = 1e-12;           // of the size and of places: no less keeps cells apart
+// Of the size and of places: no less keeps cells apart, beside what rounding took, so that the
+// answer is that of all systems whose constants differ by as little (scene_error).
+constexpr double gap = 1e-12;
 constexpr long edge_limit =
     20'000;  // maps that may come somewhere, for the search of common points
 constexpr long pair_limit = 50'000;        // pairs of maps that may come at one place
@@ -67,26 +70,38 @@ class PairSearch {
         int set = 0;
         Ball ball;
         Box box;
+        double place_error = 0;  // by which the place of a point may be off
+        double error = 0;        // ... and what the ball and the box may be short by, for rounding
     };
 
-    Cell make(const Affine& place, int set) const {
+    /// What places may be off by once `map` is composed with the place of a cell.
+    [[nodiscard]] double rounding_inside(const Affine& place, const Affine& map, int set) const {
+        const Box& box = bounds_[set].box;
+        const glm::dvec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
+        const glm::dvec3 inner = terms_of(map.linear, farthest, map.translation);
+        return rounding_of(sum_of_parts(terms_of(place.linear, inner, place.translation)));
+    }
+    Cell make(const Affine& place, int set, double place_error) const {
         const Bounds& b = bounds_[set];
         const glm::dvec3 half = (b.box.high - b.box.low) / 2.0;
         const glm::dvec3 middle = place.point((b.box.low + b.box.high) / 2.0);
         glm::dvec3 reach{0.0};
         for (int i = 0; i < 3; ++i) reach += glm::abs(place.linear[i]) * half[i];
-        return {place,
-                set,
-                {place.point(b.ball.center), lipschitz_constant(place) * b.ball.radius},
-                {middle - reach, middle + reach}};
+        const Ball ball{place.point(b.ball.center), lipschitz_constant(place) * b.ball.radius};
+        // Singular values are off by a few roundings of the largest.
+        const double own = rounding_inside(Affine{}, place, set) +
+                           rounding_of(4 * ball.radius + sum_of_parts(ball.center));
+        return {
+            place, set, ball, {middle - reach, middle + reach}, place_error, place_error + 2 * own};
     }
     [[nodiscard]] bool bounds_are_apart(const Cell& a, const Cell& b) const {
-        const double reach = a.ball.radius + b.ball.radius + gap_;
+        const double least = gap_ + a.error + b.error;
+        const double reach = a.ball.radius + b.ball.radius + least;
         if (glm::distance(a.ball.center, b.ball.center) > reach) return true;
-        return glm::any(glm::greaterThan(a.box.low, b.box.high + gap_)) ||
-               glm::any(glm::greaterThan(b.box.low, a.box.high + gap_));
+        return glm::any(glm::greaterThan(a.box.low, b.box.high + least)) ||
+               glm::any(glm::greaterThan(b.box.low, a.box.high + least));
     }
-    Cell image(int m) const { return make(rifs_.maps[m], rifs_.follow_of[m]); }
+    Cell image(int m) const { return make(rifs_.maps[m], rifs_.follow_of[m], 0); }
 
     /// Two cells that were not told apart; those inside the larger one come next.
     struct Pair {
@@ -118,7 +133,11 @@ class PairSearch {
             }
             if (++looked_at_ > cell_pair_limit) return false;
             const int m = maps[pair.next++];
-            const Cell inner = make(then(rifs_.maps[m], pair.large.place), rifs_.follow_of[m]);
+            const Affine& map = rifs_.maps[m];
+            const int set = rifs_.follow_of[m];
+            const double error =
+                pair.large.place_error + rounding_inside(pair.large.place, map, set);
+            const Cell inner = make(then(map, pair.large.place), set, error);
             add(inner, Cell{pair.small});
         }
         return true;

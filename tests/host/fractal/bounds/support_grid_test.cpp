@@ -51,10 +51,10 @@ TEST(SupportGrid, a_grid_point_is_its_own_place) {
 TEST(SupportGrid, bulge_is_the_most_that_interpolation_adds_to_a_ball) {
     std::mt19937_64 random(2);
     for (const int steps : {1, 4, 16}) {
-        SupportGrid grid(steps, {glm::dvec3{0.0}});
+        SupportGrid grid(steps, {glm::dvec3{0.0}}, {1});
         const DirectionGrid& directions = grid.directions();
         for (int i = 0; i < directions.size(); ++i) {
-            grid.value(0, i) = glm::length(directions.point(i));
+            grid.set_value(0, i, {glm::length(directions.point(i)), 0});
         }
         double largest = 0;
         for (int i = 0; i < 20'000; ++i) {
@@ -72,12 +72,15 @@ TEST(SupportGrid, iteration_never_cuts_the_attractor) {
     std::mt19937_64 random(3);
     for (unsigned seed = 0; seed < 12; ++seed) {
         const Rifs rifs = systems::random_system(seed, 0.8);
-        SupportGrid grid(8, std::vector<glm::dvec3>(rifs.follow_sets.size(), glm::dvec3{0.0}));
+        const std::size_t sets = rifs.follow_sets.size();
+        SupportGrid grid(8, std::vector<glm::dvec3>(sets, glm::dvec3{0.0}),
+                         std::vector<double>(sets, 8.7));
         const DirectionGrid& directions = grid.directions();
         for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
             for (int i = 0; i < directions.size(); ++i) {
                 // The ball of radius sqrt(3) / (1 - 0.8) about the origin contains everything.
-                grid.value(static_cast<int>(s), i) = 8.7 * glm::length(directions.point(i));
+                const double reach = 8.7 * glm::length(directions.point(i));
+                grid.set_value(static_cast<int>(s), i, {reach, 0});
             }
         }
         for (int round = 0; round < 40; ++round) grid.iterate(rifs);
