@@ -1,4 +1,4 @@
-# Writes OUT, C++ with the bytes of files: cmake -DOUT=x.cpp "-DPAGE=a;b" "-DSCENES=c;d" -P embed.cmake
+# Writes OUT, C++ with the bytes of files: cmake -DOUT=FILE "-DPAGE=a;b" "-DSCENES=c;d" -P embed.cmake
 # What it declares stands in host/studio/assets.hpp.
 function(embed list out)
     set(table)

@@ -108,6 +108,8 @@ AskedPicture picture_of(const Json& json) {
 
 }  // namespace
 
+std::string asked_view(const std::string& body) { return view_at(parsed(body)); }
+
 AskedScene asked_scene(const std::string& body) { return scene_of(parsed(body)); }
 
 AskedPicture asked_picture(const std::string& body) { return picture_of(parsed(body)); }

@@ -12,6 +12,9 @@ namespace pxm::host {
 [[nodiscard]] AskedScene asked_scene(const std::string& body);
 [[nodiscard]] AskedPicture asked_picture(const std::string& body);
 
+/// The page that asks for nothing but to be forgotten.
+[[nodiscard]] std::string asked_view(const std::string& body);
+
 /// A pixel of a picture.
 struct AskedPixel {
     AskedPicture picture;

@@ -16,9 +16,9 @@ class Gate {
   public:
     explicit Gate(int port);
 
-    /// The answer to a request that is not let in: too many (429), another method than GET and
-    /// POST (405), another host than this one (403), from another page (403), with no JSON (415),
-    /// without the token (401).
+    /// The answer to a request that is not let in: another method than GET and POST (405), another
+    /// host than this one (403), from another page (403), with no JSON (415), without the token
+    /// (401), or one too many (429).
     [[nodiscard]] std::optional<HttpAnswer> refusal(const HttpRequest& request);
 
     /// Whether the request asks for the page with the token in the address: its answer sets the

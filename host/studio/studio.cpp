@@ -122,6 +122,7 @@ class Studio::Desk {
         if (!settings.scene.empty()) (void)folder_.open(settings.scene);
         answers_ = {{"GET /api/start", [this](const HttpRequest&) { return start(); }},
                     {"GET /api/alive", [this](const HttpRequest& r) { return alive(r); }},
+                    {"POST /api/leave", [this](const HttpRequest& r) { return leave(r); }},
                     {"POST /api/open", [this](const HttpRequest& r) { return open(r); }},
                     {"POST /api/save", [this](const HttpRequest& r) { return save(r); }},
                     {"POST /api/check", [this](const HttpRequest& r) { return check(r); }},
@@ -177,6 +178,11 @@ class Studio::Desk {
         return answer;
     }
 
+    HttpAnswer leave(const HttpRequest& request) {
+        turns_.leave(asked_view(request.body));
+        return answer_of("{}");
+    }
+
     HttpAnswer open(const HttpRequest& request) {
         return answer_of(opened_json(folder_.open(asked_file(request.body).name)));
     }
@@ -185,7 +191,8 @@ class Studio::Desk {
         const AskedFile asked = asked_file(request.body);
         const std::lock_guard lock(saving_);
         const Saved saved = folder_.save(asked.name, asked.text, asked.seen);
-        return answer_of(saved_json(saved, folder_.open(asked.name).digest));
+        const bool done = saved == Saved::done;
+        return answer_of(saved_json(saved, done ? folder_.open(asked.name).digest : ""));
     }
 
     /// Waits for the turn, works, and says so if something newer has come.

@@ -59,14 +59,17 @@ export async function openPage(context, address, hash = '') {
 export async function settled(page) {
   await page.waitForFunction(() => {
     const studio = window.studio;
-    return studio && studio.base && !studio.checkRuns && !studio.flight.asking && studio.live.shown === studio.live.version && !studio.live.running;
+    return studio && studio.base && !studio.checking.runs && !studio.flight.asking && studio.live.shown === studio.live.version && !studio.live.running;
   }, null, { polling: 50 });
 }
 
-/// The pixels of the picture as one text, to compare.
-export const pixelsOf = page => page.evaluate(async () => {
-  const canvas = document.getElementById('picture');
-  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-  const digest = await crypto.subtle.digest('SHA-256', data);
-  return `${canvas.width}x${canvas.height} ${[...new Uint8Array(digest)].map(b => b.toString(16).padStart(2, '0')).join('')}`;
-});
+/// Pixels as one text, to compare: of the picture in the page, or of a PNG's bytes.
+export const pixelsOf = (page, png = null) => page.evaluate(async base64 => {
+  const source = base64 === null ? document.getElementById('picture')
+    : await createImageBitmap(new Blob([Uint8Array.from(atob(base64), c => c.charCodeAt(0))], { type: 'image/png' }));
+  const copy = new OffscreenCanvas(source.width, source.height);
+  const context = copy.getContext('2d', { willReadFrequently: true });
+  context.drawImage(source, 0, 0);
+  const digest = await crypto.subtle.digest('SHA-256', context.getImageData(0, 0, copy.width, copy.height).data);
+  return `${copy.width}x${copy.height} ${[...new Uint8Array(digest)].map(b => b.toString(16).padStart(2, '0')).join('')}`;
+}, png && png.toString('base64'));

@@ -26,8 +26,8 @@ const fill = folder => {
   writeFileSync(join(folder, 'deep', 'sponge.pxm'), readFileSync(new URL('../../scenes/menger.pxm', import.meta.url)));
 };
 
-const studio = await startStudio(program, fill);
 const { browser, context } = await startBrowser();
+const studio = await startStudio(program, fill);
 const open = (hash = '') => openPage(context, studio.address, hash);
 const textOf = page => page.inputValue('#text');
 const canvas = page => page.locator('#handles').boundingBox();
@@ -51,14 +51,7 @@ async function samePicture(page) {
   await settled(page);
   const { command, file } = await rendered(page);
   const shown = await pixelsOf(page);
-  const decoded = await page.evaluate(async bytes => {
-    const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(bytes), c => c.charCodeAt(0))], { type: 'image/png' }));
-    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-    const context = canvas.getContext('2d');
-    context.drawImage(bitmap, 0, 0);
-    const digest = await crypto.subtle.digest('SHA-256', context.getImageData(0, 0, canvas.width, canvas.height).data);
-    return `${canvas.width}x${canvas.height} ${[...new Uint8Array(digest)].map(b => b.toString(16).padStart(2, '0')).join('')}`;
-  }, file.toString('base64'));
+  const decoded = await pixelsOf(page, file);
   assert.equal(shown, decoded, `the page shows what this renders: ${command}`);
   return { command, file };
 }
@@ -102,7 +95,8 @@ const tests = {
       const opened = await scene(name, 'text');
       const { page } = opened;
       const box = await canvas(page);
-      await page.mouse.move(box.x + box.width * x, box.y + box.height * y);
+      const point = () => page.mouse.move(box.x + box.width * x, box.y + box.height * y);
+      await point();
       const magnification = () => page.evaluate(() => studio.camera.reach / studio.camera.distance);
       let last = await magnification(), decade = 1e6;
       const begin = last;
@@ -113,6 +107,7 @@ const tests = {
         if (last < decade) continue;
         decade *= 1e8;
         await samePicture(page);
+        await point();
         const middle = await page.evaluate(() => studio.live.last.pixels.data.reduce((s, v, i) => s + (i % 4 === 3 ? 0 : Math.abs(v - studio.live.last.pixels.data[i % 4])), 0));
         assert.ok(middle > 0, `at ${last} there is something to see`);
       }
@@ -273,7 +268,7 @@ const tests = {
     const opened = await scene('tetra.pxm', 'facts');
     const { page } = opened;
     await page.waitForSelector('#panel-facts dd');
-    assert.match(await page.textContent('#panel-facts'), /similarity dimension2\b/);
+    assert.match(await page.textContent('#panel-facts'), /similarity dimension2affinity/);
     await page.click('#tab-machine');
     await page.selectOption('#model', '964dX');
     await page.waitForSelector('.nodes i');
@@ -306,6 +301,55 @@ const tests = {
       const faint = await page.evaluate(contrastProblems);
       assert.deepEqual(faint, [], `${scheme}: texts can be read`);
     }
+    return opened;
+  },
+
+  async the_graph_is_a_table() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    await page.click('.graph summary');
+    await page.uncheck('[aria-label="2 inside top"]');
+    assert.match(await textOf(page), /# right\n.*\n {4}follow: top -> top, 3, 4\n}/);
+    await settled(page);
+    await agree(page);
+    await page.check('[aria-label="2 inside top"]');
+    assert.equal(await textOf(page), tetra);
+    return opened;
+  },
+
+  async one_begins_with_nothing() {
+    const opened = await open();
+    const { page } = opened;
+    await page.click('#new');
+    await settled(page);
+    assert.equal((await page.$$('.card')).length, 2);
+    await page.click('#save');
+    await page.click('#save-form button.main');
+    await page.waitForFunction(() => studio.saved === studio.text && !studio.shipped);
+    assert.match(readFileSync(join(studio.folder, 'mine.pxm'), 'utf8'), /ifs mine/);
+    return opened;
+  },
+
+  async the_program_ends_when_the_page_is_closed() {
+    const mortal = await startStudio(program, fill, []);
+    const { page } = await openPage(context, mortal.address, '#scene=tetra.pxm');
+    await settled(page);
+    assert.match(mortal.said.err, /ends 15 seconds after its last page is closed/);
+    await page.reload();
+    await settled(page);
+    const begin = Date.now();
+    await page.close();
+    assert.equal(await mortal.ended, 0);
+    const waited = (Date.now() - begin) / 1000;
+    assert.ok(waited > 10 && waited < 40, `it waited ${waited} s`);
+    await mortal.stop();
+    return undefined;
+  },
+
+  async what_the_page_computes_itself_is_right() {
+    const opened = await scene('tetra.pxm');
+    const problems = await opened.page.evaluate(lawsOfModules);
+    assert.deepEqual(problems, []);
     return opened;
   },
 
@@ -347,6 +391,41 @@ async function agree(page) {
   if (!text) return;  // it does not contract: the program has refused it
   assert.equal(own.length, theirs.length);
   own.forEach((map, i) => map.forEach((x, k) => assert.ok(Math.abs(x - theirs[i][k]) < 1e-9, `map ${i + 1}, number ${k}: ${x}, ${theirs[i][k]}`)));
+}
+
+/// Laws of the page's modules (runs in the page).
+async function lawsOfModules() {
+  const [decimal, vectors, camera, tokens, edits] = await Promise.all(['decimal', 'vectors', 'camera', 'scene_tokens', 'map_edits'].map(name => import(`/${name}.js`)));
+  const problems = [];
+  const law = (what, holds) => { if (!holds) problems.push(what); };
+  for (const text of ['0', '-0.125', '12345678901234567890.000000000000000000000000000000000000000000000000000001'])
+    law(`${text} is written as it is read`, decimal.toText(decimal.fromText(text)) === text);
+  for (const x of [0, 1.5, -3e-30, 1e20, 0.1]) law(`${x} there and back`, Math.abs(decimal.toNumber(decimal.fromNumber(x)) - x) <= 1e-16 * Math.abs(x));
+  law('a product', decimal.toNumber(decimal.times(decimal.fromText('3e-40'), 0.5)) === 1.5e-40);
+  const map = vectors.followed(vectors.followed(vectors.scaling([0.5, 0.7, -0.2]), vectors.rotation('y', 33)), vectors.translation([1, 2, 3]));
+  const back = vectors.followed(map, vectors.inverse(map));
+  law('an inverse', back.every((x, i) => Math.abs(x - vectors.identity[i]) < 1e-12));
+  law('the largest singular value', Math.abs(vectors.lipschitz(map) - 0.7) < 1e-12);
+  let view = camera.cameraOf({ eye: ['0.4', '0.5', '-3'], look: ['0', '0', '0'], up: [0, 1, 0], half_width: 0.36, orthographic: null, zoom: 1 });
+  law('a view that was not moved says nothing', camera.settingsOf(view).length === 0);
+  const place = ['0.1', '0.2', '0.3'], exact = place.map(decimal.fromText);
+  const before = camera.projected(view, place.map(Number));
+  for (let i = 0; i < 10; ++i) view = camera.approached(view, exact, 3);
+  const after = camera.projected(view, place.map(Number));
+  law('what one flies to stays where it is', Math.abs(before.x - after.x) + Math.abs(before.y - after.y) < 1e-6);
+  law('and comes nearer', Math.abs(after.ahead * 3 ** 10 / before.ahead - 1) < 1e-6);
+  const seen = camera.fromAddress(camera.toAddress(view), view);
+  law('the address says the view', Math.abs(camera.projected(seen, place.map(Number)).x - after.x) < 1e-4);
+  const turned = camera.orbited(camera.orbited(view, 0.3, 0.1), -0.3, -0.1);
+  law('to turn and to turn back', vectors.length(vectors.subtract(turned.away, view.away)) < 1e-9);
+  law('expressions', Math.abs(tokens.valueOf('-2*cos(72)/third + sqrt(3)', new Map([['third', 1 / 3]])) - (Math.sqrt(3) - 6 * Math.cos(72 * Math.PI / 180))) < 1e-12);
+  law('what is no expression', Number.isNaN(tokens.valueOf('1 +')) && Number.isNaN(tokens.valueOf('x')));
+  const text = 'ifs a { # one\n  newmap b scale: 0.5 translate: 1/2,0,0 # two\n newmap scale: 1/3\n}\n';
+  law('tokens are the text', tokens.tokensOf(text).map(t => t.text).join('') === text);
+  const outline = tokens.outlineOf(text);
+  law('maps are found', outline.ifs[0].maps.length === 2 && outline.ifs[0].maps[0].name === 'b');
+  law('an edit changes its place', edits.setArgument(text, outline.ifs[0].maps[0].directives[1], 0, '0.25') === text.replace('1/2', '0.25'));
+  return problems;
 }
 
 /// Visible texts whose contrast is below 4.5 (runs in the page).

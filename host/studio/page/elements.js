@@ -26,6 +26,16 @@ export function magnificationText(x) {
   return `${(x / 10 ** exponent).toFixed(1)}·10^${exponent}`;
 }
 
+/// Maps with what repeats said once: 2 1 1 1 1 1 is 2 1(5).
+export function shortWord(maps) {
+  const runs = [];
+  for (const map of maps) {
+    if (runs.at(-1)?.map === map) ++runs.at(-1).count;
+    else runs.push({ map, count: 1 });
+  }
+  return runs.map(({ map, count }) => (count > 3 ? `${map}(${count})` : Array(count).fill(map).join(' '))).join(' ');
+}
+
 let fading;
 export function toast(text, kind = '') {
   const place = byId('toast');

@@ -27,6 +27,7 @@ export class Gestures {
   }
 
   down(event) {
+    if (!this.app.camera) return;  // the scene is wrong: there is nothing to look at
     const at = this.place(event);
     this.canvas.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, { ...at, start: at, far: false, pans: event.button !== 0 || event.shiftKey });
@@ -76,13 +77,14 @@ export class Gestures {
 
   wheel(event) {
     event.preventDefault();
+    if (!this.app.camera) return;
     const at = this.place(event);
     const lines = event.deltaMode === 1 ? 30 : event.deltaMode === 2 ? 400 : 1;
     this.app.zoomAt(at.x, at.y, Math.exp(-Math.max(-400, Math.min(400, event.deltaY * lines)) * 0.002));
   }
 
   key(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || !this.app.camera) return;
     const { clientWidth: w, clientHeight: h } = this.canvas;
     const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     if (arrows && event.shiftKey) this.app.setCamera(panned(this.app.camera, -arrows[0] * key_move, -arrows[1] * key_move), 'key');

@@ -3,6 +3,7 @@
 
 const together = 900;  // milliseconds
 const most = 500;
+export const dragged = 'dragged';  // the kind of changes that are one until seal()
 
 export class History {
   constructor(text) {
@@ -18,7 +19,8 @@ export class History {
   put(text, kind = '') {
     if (text === this.text) return;
     const now = performance.now();
-    const joins = kind !== '' && kind === this.kind && now - this.time < together && this.at > 0;
+    const soon = kind === dragged || now - this.time < together;
+    const joins = kind !== '' && kind === this.kind && soon && this.at > 0;
     this.texts.length = this.at + 1;
     if (joins) this.texts[this.at] = text;
     else this.texts.push(text);

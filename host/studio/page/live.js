@@ -40,6 +40,13 @@ export class Live {
     this.change();
   }
 
+  /// Nothing of another scene stays.
+  clear() {
+    this.last = null;
+    this.context.fillStyle = '#000';
+    this.context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+  }
+
   get size() { return { columns: this.canvas.width, rows: this.canvas.height }; }
 
   /// Of the picture that is made in the end: the machine's is smaller.

@@ -1,6 +1,6 @@
 // Edits of maps as new texts: each changes the places it means and nothing else.
 import { stepWords, valueOf } from './scene_tokens.js';
-import { identity, rotation, scaling, tetrahedronMap, then, translation } from './vectors.js';
+import { followed, identity, rotation, scaling, tetrahedronMap, translation } from './vectors.js';
 
 export const splice = (text, start, end, put) => text.slice(0, start) + put + text.slice(end);
 
@@ -38,7 +38,7 @@ export function mapOf(map, lets) {
   for (const step of stepsOf(map)) {
     const one = stepMap(step, lets);
     if (!one || one.some(x => !Number.isFinite(x))) return null;
-    all = then(all, one);
+    all = followed(all, one);
   }
   return all;
 }

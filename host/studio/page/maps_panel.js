@@ -1,6 +1,7 @@
 // The maps of a system as cards, each with its steps (Sec. 9.2): what is typed, dragged or pressed here
 // becomes an edit of the text.
 import { element, number } from './elements.js';
+import { graphOf, graphPanel } from './graph_panel.js';
 import * as edits from './map_edits.js';
 import { valueOf } from './scene_tokens.js';
 import { lipschitz } from './vectors.js';
@@ -21,7 +22,7 @@ export class MapsPanel {
   draw() {
     const { outline, ifs, map } = this.scene();
     const shape = JSON.stringify([ifs, map, outline.ifs.map(block => [block.name, block.maps.map(m =>
-      [m.name, m.directives.map(d => [d.word, d.args.length])])])]);
+      [m.name, m.directives.map(d => [d.word, d.args.length])]), graphOf(block, this.text()).allowed])]);
     if (shape !== this.shape) {
       const focus = document.activeElement?.dataset?.key;
       this.shape = shape;
@@ -48,7 +49,8 @@ export class MapsPanel {
         : element('h2', {}, outline.ifs[ifs].name),
       element('span', { class: 'grow' }),
       element('button', { title: 'Another map', 'data-key': 'add', onclick: () => this.addMap() }, '+ Map'));
-    this.place.replaceChildren(head, ...this.block().maps.map((map, i) => this.card(map, i)));
+    const graph = graphPanel(this.scene, text => this.edit(text));
+    this.place.replaceChildren(head, ...this.block().maps.map((map, i) => this.card(map, i)), ...(graph ? [graph] : []));
   }
 
   addMap() {

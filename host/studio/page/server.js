@@ -57,9 +57,15 @@ export async function png(question) {
   return response && response.blob();
 }
 
-/// Tells the program that somebody is here for as long as the page is.
+/// Tells the program that somebody is here for as long as a page is. A browser has six connections for
+/// all tabs of a host: of several pages one keeps the line open for all, and another when that one goes.
 export function stay(changed) {
-  const source = new EventSource(`/api/alive?view=${page}`);
-  source.onopen = () => changed(true);
-  source.onerror = () => changed(false);
+  addEventListener('pagehide', () => {
+    fetch('/api/leave', { method: 'POST', keepalive: true, headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ view: page }) }).catch(() => {});
+  });
+  navigator.locks.request('pxm-alive', () => new Promise(() => {
+    const source = new EventSource(`/api/alive?view=${page}`);
+    source.onopen = () => changed(true);
+    source.onerror = () => changed(false);
+  }));
 }

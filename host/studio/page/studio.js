@@ -1,21 +1,27 @@
 // The page of pxm studio: one scene as text, as maps and as a picture, in step.
 import * as cameras from './camera.js';
-import { commandOf } from './command.js';
+import { Checking } from './checking.js';
 import { Editor } from './editor.js';
-import { byId, element, magnificationText, number, toast } from './elements.js';
-import { showFacts } from './facts_panel.js';
+import { byId, element, magnificationText, number, shortWord, toast } from './elements.js';
 import { Flight } from './flight.js';
 import { Gallery } from './gallery.js';
 import { Gestures } from './gestures.js';
 import { Handles, referenceOf } from './handles.js';
-import { History } from './history.js';
+import { dragged, History } from './history.js';
 import { Live } from './live.js';
 import { MachinePanel } from './machine_panel.js';
 import { MapsPanel } from './maps_panel.js';
+import * as saving from './saving.js';
 import * as server from './server.js';
 import { letsOf, outlineOf } from './scene_tokens.js';
 import { identity } from './vectors.js';
 
+const beginning = `# two copies of the whole: where do they stand?
+ifs mine {
+    newmap scale: 0.6 translate: 0,0.5,0 color: 0.2,0.6,0.3,0.4
+    newmap scale: 0.5 rotate: z,40 translate: 0.5,-0.3,0 color: 0.8,0.7,0.2,0.4
+}
+`;
 const tabs = ['maps', 'text', 'facts', 'machine'];
 const trail_pause = 700;  // milliseconds between moves that are steps of the way back
 
@@ -35,12 +41,14 @@ class Studio {
     this.ifs = 0;
     this.map = -1;
     this.tab = 'maps';
+    this.timings = [];  // of the last pictures, milliseconds
     this.makeParts();
     this.connect();
   }
 
   makeParts() {
     this.live = new Live(byId('picture'), () => this.shown(), event => this.pictured(event));
+    this.checking = new Checking(this);
     this.editor = new Editor(text => this.edit(text, 'typing'));
     this.handles = new Handles(byId('handles'), () => this.shaping());
     this.flight = new Flight(this);
@@ -59,14 +67,14 @@ class Studio {
   async arrive() {
     const wanted = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
     const key = wanted.scene ? `${wanted.scene}|${wanted.from ?? ''}` : '';
-    if (key !== this.key) {
-      this.key = key;
+    if (key !== this.arrivedAt) {
+      this.arrivedAt = key;
       if (!wanted.scene) return this.showGallery();
       try {
         await this.load(wanted.scene, wanted.from === 'pxm');
       } catch (error) {
         toast(error.message, 'bad');
-        this.key = '';
+        this.arrivedAt = '';
         return this.showGallery();
       }
     }
@@ -79,8 +87,9 @@ class Studio {
 
   async load(name, shipped) {
     const file = shipped
-      ? { text: this.facts.shipped.find(s => s.name === name)?.text ?? '', digest: '' }
+      ? { text: this.dropped ?? this.facts.shipped.find(s => s.name === name)?.text ?? beginning, digest: '' }
       : await server.open(name);
+    this.dropped = null;
     this.name = name;
     this.shipped = shipped;
     this.saved = file.text;
@@ -91,11 +100,11 @@ class Studio {
     byId('gallery').hidden = true;
     byId('studio').hidden = false;
     byId('scene-tools').hidden = false;
-    this.live.last = null;
+    this.live.clear();
     this.flight.forget();
     this.live.fit(this.facts.limits);
     this.textChanged();
-    await this.checking;
+    await this.answered;
   }
 
   showGallery() {
@@ -135,7 +144,7 @@ class Studio {
     this.history.put(text, kind);
     this.textChanged();
   }
-  edited(text) { this.edit(text, 'handle'); }
+  edited(text) { this.edit(text, dragged); }
   editEnds() { this.history.seal(); }
   undo() { this.history.undo(); this.textChanged(); }
   redo() { this.history.redo(); this.textChanged(); }
@@ -153,72 +162,13 @@ class Studio {
     byId('undo').disabled = !this.history.canUndo;
     byId('redo').disabled = !this.history.canRedo;
     this.drawName();
-    this.checking = this.check();
+    this.answered = this.checking.check();
   }
 
   drawName() {
     const dirty = this.text !== this.saved || this.shipped;
     byId('scene-name').replaceChildren(this.name, dirty ? element('span', { class: 'dirty', title: 'Not saved' }, ' •') : '');
     document.title = `${this.text !== this.saved ? '• ' : ''}${this.name} – pxm studio`;
-  }
-
-  /// One check at a time; the newest text is the last one that is checked.
-  async check() {
-    this.unchecked = true;
-    if (this.checkRuns) return this.checkRuns;
-    this.checkRuns = (async () => {
-      while (this.unchecked) {
-        this.unchecked = false;
-        const text = this.text;
-        try {
-          const checked = await server.check({ name: this.name, text, frame: this.frame });
-          if (checked) this.accept(text, checked);
-        } catch (error) {
-          if (text === this.text) this.showMistakes(error);
-        }
-      }
-      this.checkRuns = null;
-    })();
-    return this.checkRuns;
-  }
-
-  accept(text, checked) {
-    const first = !this.base;
-    this.checked = checked;
-    this.goodText = text;
-    this.base = cameras.cameraOf(checked.view);
-    if (first || !this.camera.moved) this.camera = this.base;
-    this.showMistakes(null, checked.warnings);
-    byId('frame-label').hidden = checked.frames <= 1;
-    byId('frame').max = checked.frames - 1;
-    this.live.change();
-    this.handles.draw();
-    clearTimeout(this.inspecting);
-    this.inspecting = setTimeout(() => this.inspect(), first ? 600 : 250);
-  }
-
-  async inspect() {
-    if (this.tab !== 'facts') { this.factsOld = true; return; }
-    this.factsOld = false;
-    try {
-      const facts = await server.inspect({ name: this.name, text: this.goodText, frame: this.frame });
-      if (facts) showFacts(byId('panel-facts'), facts);
-    } catch (error) {
-      byId('panel-facts').replaceChildren(element('p', { class: 'note' }, error.message));
-    }
-  }
-
-  showMistakes(error, warnings = '') {
-    const place = byId('mistakes');
-    const mistakes = error?.mistakes ?? [];
-    const own = mistakes.filter(m => m.file === this.name);
-    this.editor.mark(own);
-    place.hidden = !error && !warnings;
-    place.classList.toggle('warning', !error);
-    place.replaceChildren(...(mistakes.length > 0
-      ? mistakes.slice(0, 6).map(m => element('button', { class: 'mistake', onclick: () => { this.choose('text'); this.editor.goTo(m.line, m.column); } },
-        element('b', {}, `line ${m.line}`), ` ${m.message}`))
-      : [element('p', {}, error ? error.message : warnings)]));
   }
 
   // --- picture --------------------------------------------------------------------------------
@@ -252,7 +202,7 @@ class Studio {
     this.noteAddress();
   }
   back() { if (this.trail.length > 0) this.setCamera(this.trail.pop(), 'back'); byId('back').disabled = this.trail.length === 0; }
-  reset() { if (this.camera.moved) this.setCamera(this.base, 'reset'); }
+  reset() { if (this.camera?.moved) this.setCamera(this.base, 'reset'); }
   zoomAt(x, y, factor) { this.flight.zoomAt(x, y, factor).catch(error => toast(error.message, 'bad')); }
 
   /// From -1 to 1 over the picture's width; up is positive.
@@ -319,7 +269,7 @@ class Studio {
   pictured(event) {
     byId('busy').hidden = event.kind !== 'picture' || event.phase !== 'coarse';
     if (event.kind === 'refused') {
-      if (event.error.kind === 'scene') this.showMistakes(event.error);
+      if (event.error.kind === 'scene') this.checking.showMistakes(event.error);
       else toast(event.error.message, 'bad');
     }
     if (event.kind !== 'picture') return;
@@ -329,10 +279,11 @@ class Studio {
       const seconds = statistics.seconds.render;
       byId('timing').textContent = `${event.picture.pixels.width}×${event.picture.pixels.height}, ${number(seconds * 1000, 3)} ms`;
       byId('timing').title = `${statistics.engine}, ${statistics.numeric}, ${statistics.intersect.method}: ${statistics.intersect.because}`;
-      if (warnings.trim()) this.showMistakes(null, warnings.trim());
+      if (warnings.trim() && this.text === this.goodText) this.checking.showMistakes(null, warnings.trim());
       if (this.machine) this.machines.show(event.picture, this.machine);
     }
-    performance.mark(`pxm-${event.phase}`, { detail: { took: event.took, since: event.since } });
+    this.timings.push({ phase: event.phase, took: event.took, since: event.since, render: statistics.seconds.render });
+    if (this.timings.length > 500) this.timings.shift();
   }
 
   useMachine(model) {
@@ -360,87 +311,20 @@ class Studio {
     }
     if (focus) byId(`tab-${tab}`).focus();
     if (tab === 'text') this.editor.draw();
-    if (tab === 'facts' && this.checked && this.factsOld !== false) this.inspect();
+    if (tab === 'facts' && this.checked && this.checking.factsOld) this.checking.inspect();
     if (tab !== 'machine' && this.machine) this.useMachine('');
     if (tab === 'machine') this.machines.draw();
     this.handles.draw();
     this.noteAddress();
   }
 
-  async saveAs(name, seen) {
-    try {
-      const answer = await server.save(name, this.text, seen);
-      if (!answer.saved) return false;
-      this.saved = this.text;
-      const renamed = name !== this.name || this.shipped;
-      Object.assign(this, { name, shipped: false, digest: answer.digest, key: `${name}|` });
-      this.keepText();
-      this.drawName();
-      if (renamed) this.noteAddress();
-      toast(`Saved ${name}.`);
-    } catch (error) {
-      toast(error.message, 'bad');
-    }
-    return true;
-  }
-
-  /// Asks for a name where there is none yet, and before another file than the one seen is replaced.
-  async save(ask = this.shipped) {
-    if (!ask && await this.saveAs(this.name, this.digest)) return;
-    const dialog = byId('save-dialog'), field = byId('save-name'), note = byId('save-note');
-    field.value = this.name;
-    note.textContent = ask ? '' : `${this.name} has changed on the disk since it was opened. Save under this name to replace it, or choose another.`;
-    let replace = ask ? '' : null;
-    for (;;) {
-      dialog.returnValue = 'cancel';
-      dialog.showModal();
-      await new Promise(done => dialog.addEventListener('close', done, { once: true }));
-      if (dialog.returnValue !== 'save') return;
-      const name = field.value.trim();
-      let seen = '';
-      try {
-        if (replace === null || replace === name) seen = (await server.open(name)).digest;
-      } catch { seen = ''; }
-      if (await this.saveAs(name, seen)) return;
-      replace = name;
-      note.textContent = `${name} is there already. Save again to replace it.`;
-    }
-  }
-
-  async copyCommand() {
-    if (this.shipped || this.text !== this.saved) {
-      toast('Save the scene first: the command reads its file.', 'bad');
-      return;
-    }
-    const command = commandOf(this.finished());
-    try {
-      await navigator.clipboard.writeText(command);
-      toast(`Copied: ${command}`);
-    } catch {
-      toast(command);
-    }
-    byId('command').dataset.command = command;
-  }
-
-  async savePng() {
-    try {
-      const picture = await server.png(this.finished());
-      if (!picture) return;
-      const link = element('a', { href: URL.createObjectURL(picture), download: this.name.replace(/^.*\//, '').replace(/\.pxm$/, '.png') });
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-    } catch (error) {
-      toast(error.message, 'bad');
-    }
-  }
-
   connect() {
     const press = (id, action) => byId(id).addEventListener('click', action);
     press('undo', () => this.undo());
     press('redo', () => this.redo());
-    press('save', () => this.save());
-    press('command', () => this.copyCommand());
-    press('png', () => this.savePng());
+    press('save', () => saving.save(this));
+    press('command', () => saving.copyCommand(this));
+    press('png', () => saving.savePng(this));
     press('back', () => this.back());
     press('reset', () => this.reset());
     press('help', () => byId('help-dialog').showModal());
@@ -450,8 +334,11 @@ class Studio {
     byId('frame').addEventListener('input', event => {
       this.frame = Number(event.target.value);
       byId('frame-number').textContent = event.target.value;
-      this.check();
+      this.checking.check();
     });
+    press('new', () => this.go({ scene: 'mine.pxm', shipped: true }));
+    addEventListener('dragover', event => { if (event.dataTransfer.types.includes('Files')) event.preventDefault(); });
+    addEventListener('drop', event => saving.takeDropped(this, event));
     addEventListener('hashchange', () => this.arrive());
     addEventListener('keydown', event => this.key(event));
     document.querySelector('.tabs').addEventListener('keydown', event => {
@@ -467,7 +354,7 @@ class Studio {
     if (!this.name && key !== '?') return;
     if (command && key === 'z') event.shiftKey ? this.redo() : this.undo();
     else if (command && key === 'y') this.redo();
-    else if (command && key === 's') this.save();
+    else if (command && key === 's') saving.save(this);
     else if (key === '?' && !typing) byId('help-dialog').showModal();
     else return;
     event.preventDefault();
@@ -478,16 +365,6 @@ class Studio {
     document.documentElement.dataset.theme = dark ? 'light' : 'dark';
     localStorage.setItem('pxm-theme', document.documentElement.dataset.theme);
   }
-}
-
-/// Maps with what repeats said once: 2 1 1 1 1 1 is 2 1(5).
-function shortWord(maps) {
-  const runs = [];
-  for (const map of maps) {
-    if (runs.at(-1)?.map === map) ++runs.at(-1).count;
-    else runs.push({ map, count: 1 });
-  }
-  return runs.map(({ map, count }) => (count > 3 ? `${map}(${count})` : Array(count).fill(map).join(' '))).join(' ');
 }
 
 async function begin() {

@@ -23,7 +23,7 @@ export const direction = (m, v) => [0, 1, 2].map(c => v[0] * m[c] + v[1] * m[3 +
 export const point = (m, p) => add(direction(m, p), m.slice(9));
 
 /// First `a`, then `b`.
-export const then = (a, b) => [
+export const followed = (a, b) => [
   ...direction(b, a.slice(0, 3)), ...direction(b, a.slice(3, 6)), ...direction(b, a.slice(6, 9)),
   ...point(b, a.slice(9))];
 
@@ -43,7 +43,7 @@ export function inverse(m) {
 export function tetrahedronMap(from, to) {
   const edges = t => [...subtract(t[1], t[0]), ...subtract(t[2], t[0]), ...subtract(t[3], t[0])];
   const back = inverse([...edges(from), ...from[0]]);
-  return back && then(back, [...edges(to), ...to[0]]);
+  return back && followed(back, [...edges(to), ...to[0]]);
 }
 
 /// How much longer the map can make a vector: its largest singular value (Sec. 16.2).
