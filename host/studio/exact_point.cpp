@@ -19,23 +19,27 @@ PreciseAffine composed(const Rifs& rifs, const std::vector<int>& word, std::size
     return all;
 }
 
-/// A word that a walk through the graph takes, up to where it comes to a follow set again, and
-/// where it was there before: from there on it goes round for ever.
+/// Maps one after another through the graph, each the next of those that may come there: all in
+/// turn, where all may. From `round` on the walk goes round for ever.
 struct Walk {
     std::vector<int> maps;
     std::size_t round = 0;
 };
-Walk walk_from(const Rifs& rifs, int set) {
+Walk walk_from(const Rifs& rifs, int set, int last) {
     Walk walk;
-    std::map<int, std::size_t> seen;
-    while (!seen.contains(set)) {
-        seen[set] = walk.maps.size();
-        const int map = rifs.follow_sets[static_cast<std::size_t>(set)].maps.front();
-        walk.maps.push_back(map);
-        set = rifs.follow_of[static_cast<std::size_t>(map)];
+    std::map<int, std::size_t> seen;  // a map, and where the walk was when it had taken it
+    for (;;) {
+        const std::vector<int>& maps = rifs.follow_sets[static_cast<std::size_t>(set)].maps;
+        const auto next = std::ranges::upper_bound(maps, last);
+        last = next == maps.end() ? maps.front() : *next;
+        walk.maps.push_back(last);
+        const auto [before, is_new] = seen.emplace(last, walk.maps.size());
+        if (!is_new) {
+            walk.round = before->second;
+            return walk;
+        }
+        set = rifs.follow_of[static_cast<std::size_t>(last)];
     }
-    walk.round = seen[set];
-    return walk;
 }
 
 }  // namespace
@@ -47,7 +51,7 @@ PreciseVec3 exact_point(const Scene& scene, const ObjectBlock& object,
         build_rifs(*std::ranges::find(scene.ifs, *object.ifs, &IfsBlock::name), diagnostics);
     const int set =
         word.empty() ? rifs.start : rifs.follow_of[static_cast<std::size_t>(word.back())];
-    const Walk walk = walk_from(rifs, set);
+    const Walk walk = walk_from(rifs, set, word.empty() ? -1 : word.back());
     // Rounds contract, so that exactly one point stands still in them.
     const PreciseVec3 still = fixed_point(composed(rifs, walk.maps, walk.round, walk.maps.size()));
     const PreciseVec3 inside = image(composed(rifs, walk.maps, 0, walk.round), still);

@@ -13,8 +13,8 @@ namespace pxm::host {
 inline constexpr int point_decimals = 60;
 
 /// In the world: the point of the cell that `word` leads to in an object with an ifs, whose address
-/// goes on with the first map that may come next, again and again. Precondition: the scene was
-/// found right, and the word is one of the object's system.
+/// goes on with the maps that may come there in turn, for ever. Precondition: the scene was found
+/// right, and the word is one of the object's system.
 [[nodiscard]] PreciseVec3 exact_point(const Scene& scene, const ObjectBlock& object,
                                       const std::vector<int>& word);
 

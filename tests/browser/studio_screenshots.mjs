@@ -1,11 +1,11 @@
-// node studio_screenshots.mjs PXM FOLDER: the main states of the studio as pictures.
+// node studio_screenshots.mjs PXM FOLDER [NAME]: the main states of the studio as pictures.
 import { cpSync, mkdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { openPage, settled, startBrowser, startStudio } from './studio.mjs';
 
-const [program, out] = process.argv.slice(2);
+const [program, out, only = ''] = process.argv.slice(2);
 if (!out) {
-  console.error('usage: studio_screenshots PXM FOLDER');
+  console.error('usage: studio_screenshots PXM FOLDER [NAME]');
   process.exit(2);
 }
 mkdirSync(out, { recursive: true });
@@ -16,7 +16,9 @@ const studio = await startStudio(resolve(program), folder => {
 });
 
 async function shoot(name, hash, prepare = async () => {}) {
+  if (only && name !== only) return;
   const { page } = await openPage(context, studio.address, hash);
+  page.setDefaultTimeout(180_000);
   await prepare(page);
   await page.screenshot({ path: join(out, `${name}.png`) });
   await page.close();
@@ -26,7 +28,7 @@ async function shoot(name, hash, prepare = async () => {}) {
 try {
   await shoot('gallery', '', async page => {
     await page.evaluate(() => { document.getElementById('own').hidden = true; });
-    await page.waitForFunction(() => document.querySelectorAll('#shipped-cards canvas.made').length >= 10);
+    await page.waitForFunction(() => document.querySelectorAll('#shipped-cards canvas.made').length >= 8);
   });
   await shoot('maps', '#scene=fir.pxm', async page => {
     await settled(page);
@@ -35,7 +37,7 @@ try {
   await shoot('flight', '#scene=menger.pxm&tab=text', async page => {
     await settled(page);
     const box = await page.locator('#handles').boundingBox();
-    await page.mouse.move(box.x + box.width * 0.45, box.y + box.height * 0.55);
+    await page.mouse.move(box.x + box.width * 0.5, box.y + box.height * 0.5);
     for (let last = 1; last < 1e18;) {
       await page.mouse.wheel(0, -400);
       await page.waitForFunction(m => studio.camera.reach / studio.camera.distance > m, last, { polling: 20 });

@@ -15,7 +15,7 @@ class Thumbnails {
         this.queue.push(entry.target);
       }
       this.work();
-    }, { rootMargin: '200px' });
+    }, { root: byId('gallery'), rootMargin: '200px' });
     this.jobs = new WeakMap();
   }
   add(card, job) { this.jobs.set(card, job); this.seen.observe(card); }

@@ -52,7 +52,7 @@ export class Live {
   /// Of the picture that is made in the end: the machine's is smaller.
   get wholeSize() {
     const { columns, rows } = this.size;
-    const shrink = this.question().machine ? Math.min(1, Math.sqrt(machine_pixels / (columns * rows))) : 1;
+    const shrink = this.question()?.machine ? Math.min(1, Math.sqrt(machine_pixels / (columns * rows))) : 1;
     return { columns: Math.max(16, Math.round(columns * shrink)), rows: Math.max(16, Math.round(rows * shrink)) };
   }
 
@@ -75,6 +75,10 @@ export class Live {
 
   /// All steps for one version, until there is another.
   async refine(version) {
+    if (!this.question()) {  // there is no scene yet
+      this.shown = version;
+      return;
+    }
     const { columns, rows } = this.wholeSize;
     const fresh = () => version === this.version;
     try {

@@ -160,7 +160,7 @@ export class MapsPanel {
       } })),
       element('label', { class: 'note' }, 'how much ', element('input', { type: 'range', min: 0, max: 1, step: 0.05, 'data-key': `${index}.share`,
         oninput: () => this.edit(color(), `${index}.color`) })),
-      element('label', { class: 'note', title: 'How often the chaos game takes it; pictures do not change' }, 'weight ', element('input', { size: 4, 'data-key': `${index}.weight`, autocomplete: 'off',
+      element('label', { class: 'note', title: 'How often the chaos game takes it; pictures do not change' }, 'weight ', element('input', { size: 4, placeholder: 'auto', 'data-key': `${index}.weight`, autocomplete: 'off',
         oninput: e => this.edit(edits.setOnce(this.text(), this.mapAt(index), 'weight', e.target.value.trim()), `${index}.weight`) })));
   }
 

@@ -47,8 +47,8 @@ export async function save(studio, ask = studio.shipped) {
 
 /// To the clipboard, if the file that it reads is what is shown.
 export async function copyCommand(studio) {
-  if (studio.shipped || studio.text !== studio.saved) {
-    toast('Save the scene first: the command reads its file.', 'bad');
+  if (studio.shipped || studio.text !== studio.saved || studio.text !== studio.goodText) {
+    toast('Save the scene first, without mistakes: the command reads its file.', 'bad');
     return;
   }
   const command = commandOf(studio.finished());
@@ -63,6 +63,7 @@ export async function copyCommand(studio) {
 
 /// The file that the command would write.
 export async function savePng(studio) {
+  if (studio.goodText === '') return;
   try {
     const picture = await server.png(studio.finished());
     if (!picture) return;

@@ -174,7 +174,7 @@ class Studio {
   // --- picture --------------------------------------------------------------------------------
 
   shown() {
-    return { name: this.name, text: this.goodText, frame: this.frame, machine: this.machine,
+    return this.goodText === '' ? null : { name: this.name, text: this.goodText, frame: this.frame, machine: this.machine,
       settings: this.camera ? cameras.settingsOf(this.camera) : [], samples: Number(byId('samples').value) };
   }
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "host/error.hpp"
 
@@ -59,10 +60,11 @@ TEST(AsksJson, what_is_no_question_is_refused) {
           std::string("\xFF"), std::string("{}{}"), std::string(100'000, '['),
           std::string("{\"a\":") + std::string(50, '[') + std::string(50, ']') + "}"})
         EXPECT_EQ(refusal_of(body), "the question: expected a JSON object") << body.substr(0, 20);
-    for (const auto& [key, value] : question().items()) {
-        Json less = question();
+    const Json whole = question();
+    for (const auto& [key, value] : whole.items()) {
+        Json less = whole;
         less.erase(key);
-        if (key != std::string("settings")) EXPECT_NE(refusal_of(less.dump()), "") << key;
+        EXPECT_EQ(refusal_of(less.dump()).empty(), key == "settings") << key;
         EXPECT_NE(refusal_with(key.c_str(), Json::object()), "") << key;
         EXPECT_NE(refusal_with(key.c_str(), nullptr), "") << key;
     }

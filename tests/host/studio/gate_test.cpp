@@ -7,7 +7,10 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
+#include "host/studio/http_message.hpp"
+#include "host/studio/rate.hpp"
 #include "host/studio/token.hpp"
 
 namespace pxm::host {

@@ -5,8 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
@@ -86,10 +89,11 @@ Scene scene_of_text(const std::string& text) {
     return scene;
 }
 
-TEST(ExactPoint, repeats_the_first_map_for_ever) {
+TEST(ExactPoint, repeats_all_maps_in_turn_for_ever) {
     const Scene scene = scene_of_text(test::tetra_scene);
     const auto texts = decimal_texts(exact_point(scene, objects_of(scene).front(), {}));
-    EXPECT_EQ(texts[0] + "," + texts[1] + "," + texts[2], attractor_point(scene, {"1"}));
+    EXPECT_EQ(texts[0] + "," + texts[1] + "," + texts[2],
+              attractor_point(scene, {"1", "2", "3", "4"}));
 }
 
 TEST(ExactPoint, lies_in_the_cell_of_its_word) {

@@ -7,10 +7,12 @@
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
+#include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -136,10 +138,10 @@ TEST_F(StudioTest, gives_its_page_to_who_has_the_address) {
 }
 
 TEST_F(StudioTest, says_nothing_to_strangers) {
-    for (const std::string& first : {"GET / HTTP/1.1", "GET /api/start HTTP/1.1",
-                                     "POST /api/picture HTTP/1.1", "GET /studio.js HTTP/1.1"}) {
+    for (const char* first : {"GET / HTTP/1.1", "GET /api/start HTTP/1.1",
+                              "POST /api/picture HTTP/1.1", "GET /studio.js HTTP/1.1"}) {
         const Line line(port_);
-        line.say(first + "\r\nHost: " + host_ + "\r\nOrigin: http://" + host_ +
+        line.say(std::string(first) + "\r\nHost: " + host_ + "\r\nOrigin: http://" + host_ +
                  "\r\nContent-Type: application/json\r\nConnection: close\r\n\r\n");
         const std::string heard = line.hear();
         EXPECT_THAT(heard, StartsWith("HTTP/1.1 401")) << first;
