@@ -25,6 +25,7 @@ needs(CLI11 libcli11-dev CLI11)               # the command line
 needs(fmt libfmt-dev fmt)                     # text
 needs(nlohmann-json nlohmann-json3-dev nlohmann_json)  # statistics
 needs(Boost.Multiprecision libboost-dev Boost)         # the eye's place in 77 digits, headers only
+list(APPEND PXM_LIBRARIES Boost.Beast)                 # the studio's server, headers only
 
 # Debian's OpenImageIO target names the tools, and fails with the name of a file where they are not there.
 find_program(PXM_IMAGE_TOOLS iconvert)

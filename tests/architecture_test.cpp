@@ -49,6 +49,7 @@ const Rule library_rules[] = {
     {R"(#include\s*<hwy/)", "host/wide/.*", "Highway"},
     {R"(#include\s*<boost/multiprecision/)",
      "host/(math/precise\\.cpp|import/lsystem/long_number\\.hpp)", "Boost.Multiprecision"},
+    {R"(#include\s*<boost/(asio|beast)/)", "host/studio/http_server\\.cpp", "Boost.Beast"},
 };
 
 // The floors of a part of the house, from the ground up. A room may know what stands before it;
@@ -75,6 +76,7 @@ const Floors all_floors[] = {
       {"parts"},
       {"inspect"},
       {"study"},
+      {"studio"},
       {"commands"}}},
     {"host/fractal/", {{"system"}, {"bounds"}, {"dimension", "measure"}}},
     {"host/wide/", {{"packet"}, {"tables"}, {"search"}, {"shade"}, {"area"}, {"tile"}}},
@@ -281,6 +283,7 @@ TEST(Architecture, an_outside_library_is_known_to_one_place) {
         {"Eigen/SVD", "host/math/lipschitz.cpp"},
         {"omp.h", "host/engine/tiles.hpp"},
         {"boost/multiprecision/cpp_bin_float.hpp", "host/math/precise.cpp"},
+        {"boost/beast/http.hpp", "host/studio/http_server.cpp"},
         {"hwy/highway.h", "host/wide/search/packet_search.cpp"}};
     for (const auto& [header, home] : homes) {
         const std::string include = "#include <" + header + ">\n";

@@ -20,7 +20,7 @@ std::vector<AddedCommand> add_commands(CommandLine& line) {
     return {add_render_command(line),  add_join_command(line),   add_check_command(line),
             add_inspect_command(line), add_points_command(line), add_import_command(line),
             add_compare_command(line), add_study_command(line),  add_models_command(line),
-            add_asm_command(line)};
+            add_asm_command(line),     add_studio_command(line)};
 }
 
 ExitCode run_command_line(int argc, const char* const* argv) {

@@ -35,6 +35,8 @@ struct AddedCommand {
 [[nodiscard]] AddedCommand add_import_command(CommandLine& line);
 /// `pxm study KIND SCENE... -o DIR`.
 [[nodiscard]] AddedCommand add_study_command(CommandLine& line);
+/// `pxm studio [SCENE]`.
+[[nodiscard]] AddedCommand add_studio_command(CommandLine& line);
 /// `pxm models`.
 [[nodiscard]] AddedCommand add_models_command(CommandLine& line);
 /// `pxm asm FILE... [-o OBJECT]`.

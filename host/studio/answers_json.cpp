@@ -1,0 +1,151 @@
+#include "host/studio/answers_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "host/output/statistics_json.hpp"
+#include "host/scene/default_objects.hpp"
+#include "host/studio/asks.hpp"
+#include "host/studio/assets.hpp"
+#include "host/text/json_text.hpp"
+#include "pxm/model.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* kind_text(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::setting:
+            return "setting";
+        case ErrorKind::scene:
+            return "scene";
+        case ErrorKind::file:
+            return "file";
+        case ErrorKind::machine_limit:
+            return "machine_limit";
+        case ErrorKind::failed:
+            break;
+    }
+    return "failed";
+}
+
+Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// Four rows of three, as `matrix:` has them.
+Json matrix_json(const Affine& map) {
+    Json numbers = Json::array();
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) numbers.push_back(map.linear[row][column]);
+    for (int column = 0; column < 3; ++column) numbers.push_back(map.translation[column]);
+    return numbers;
+}
+
+Json view_json(const SceneView& view) {
+    return {{"eye", view.eye},
+            {"look", view.look},
+            {"up", vector_json(view.up)},
+            {"half_width", view.half_width},
+            {"orthographic", view.orthographic ? Json(*view.orthographic) : Json(nullptr)},
+            {"zoom", view.zoom},
+            {"center", vector_json(view.ball.center)},
+            {"radius", view.ball.radius}};
+}
+
+Json ifs_json(const IfsBlock& ifs, const SceneView& view) {
+    Json maps = Json::array();
+    for (std::size_t i = 0; i < ifs.maps.size() && i < asked_maps; ++i)
+        maps.push_back({{"name", ifs.maps[i].name},
+                        {"line", ifs.maps[i].position.line},
+                        {"matrix", matrix_json(compose(ifs.maps[i].commands))}});
+    Json json = {{"name", ifs.name}, {"count", ifs.maps.size()}, {"maps", maps}};
+    const auto ball = view.attractors.find(ifs.name);
+    if (ball != view.attractors.end()) {
+        json["center"] = vector_json(ball->second.center);
+        json["radius"] = ball->second.radius;
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string start_json(const StudioFacts& facts) {
+    Json json = {
+        {"version", PXM_VERSION},
+        {"folder", facts.folder},
+        {"scene", facts.scene},
+        {"scenes", facts.scenes},
+        {"threads", facts.threads},
+        {"grace_seconds", facts.grace_seconds},
+        {"limits",
+         {{"side", asked_side_pixels}, {"pixels", asked_pixels}, {"samples", asked_samples}}}};
+    json["shipped"] = Json::array();
+    for (const Asset& asset : scene_assets())
+        json["shipped"].push_back({{"name", asset.name}, {"text", asset.bytes}});
+    json["models"] = Json::array();
+    for (const Model& model : models())
+        json["models"].push_back({{"name", model.name},
+                                  {"columns", model.columns},
+                                  {"rows", model.rows},
+                                  {"width", model.natural_width},
+                                  {"height", model.natural_height}});
+    return json_text(json);
+}
+
+std::string error_json(const Error& error) {
+    Json mistakes = Json::array();
+    for (const Mistake& mistake : error.mistakes())
+        mistakes.push_back({{"file", mistake.file},
+                            {"line", mistake.line},
+                            {"column", mistake.column},
+                            {"message", mistake.message}});
+    return json_text(
+        {{"error",
+          {{"kind", kind_text(error.kind())}, {"message", error.what()}, {"mistakes", mistakes}}}});
+}
+
+std::string superseded_json() { return json_text({{"superseded", true}}); }
+
+std::string opened_json(const SceneFile& file) {
+    return json_text({{"text", file.text}, {"digest", file.digest}});
+}
+
+std::string saved_json(Saved saved, const std::string& digest) {
+    return json_text({{"saved", saved == Saved::done}, {"digest", digest}});
+}
+
+std::string checked_json(const Scene& scene, const SceneView& view, const std::string& warnings) {
+    Json json = {{"view", view_json(view)}, {"warnings", warnings}};
+    json["ifs"] = Json::array();
+    for (const IfsBlock& ifs : scene.ifs) json["ifs"].push_back(ifs_json(ifs, view));
+    json["objects"] = Json::array();
+    for (const ObjectBlock& object : objects_of(scene))
+        json["objects"].push_back({{"name", object.name},
+                                   {"ifs", object.ifs ? Json(*object.ifs) : Json(nullptr)},
+                                   {"matrix", matrix_json(compose(object.commands))}});
+    json["frames"] = scene.animation ? scene.animation->frames : 1;
+    json["files"] = scene.files.size();
+    return json_text(json);
+}
+
+std::string picture_json(const RenderResult& result) {
+    return "{\"warnings\":" + json_text(result.warnings) +
+           ",\"columns\":" + std::to_string(result.frame.columns()) +
+           ",\"rows\":" + std::to_string(result.frame.rows()) +
+           ",\"statistics\":" + statistics_json(result.statistics) + "}";
+}
+
+std::string picked_json(const std::optional<PickedPlace>& place) {
+    if (!place) return json_text({{"cell", nullptr}});
+    Json cell = {{"object", place->object},
+                 {"ifs", place->ifs},
+                 {"word", place->word},
+                 {"distance", place->distance}};
+    cell["point"] = place->point ? Json(*place->point) : Json(nullptr);
+    return json_text({{"cell", cell}});
+}
+
+std::string text_json(const std::string& text) { return json_text({{"text", text}}); }
+
+}  // namespace pxm::host

@@ -1,0 +1,34 @@
+// The questions of a page: JSON in, checked values out.
+#pragma once
+
+#include <string>
+
+#include "host/studio/asks.hpp"
+
+namespace pxm::host {
+
+/// Each throws Error(ErrorKind::setting) for a body that is not what the page sends, or asks for
+/// more than there is.
+[[nodiscard]] AskedScene asked_scene(const std::string& body);
+[[nodiscard]] AskedPicture asked_picture(const std::string& body);
+
+/// The page that asks for nothing but to be forgotten.
+[[nodiscard]] std::string asked_view(const std::string& body);
+
+/// A pixel of a picture.
+struct AskedPixel {
+    AskedPicture picture;
+    long x = 0;
+    long y = 0;
+};
+[[nodiscard]] AskedPixel asked_pixel(const std::string& body);
+
+/// A scene's file to be opened, or saved with a text.
+struct AskedFile {
+    std::string name;
+    std::string text;
+    std::string seen;  // digest of what is replaced
+};
+[[nodiscard]] AskedFile asked_file(const std::string& body);
+
+}  // namespace pxm::host

@@ -1,0 +1,80 @@
+// What the program says of the text: whether it is right and where it is not, what its numbers are, and
+// what is known of it without a picture.
+import * as cameras from './camera.js';
+import { byId, element } from './elements.js';
+import { showFacts } from './facts_panel.js';
+import * as server from './server.js';
+
+const shown_mistakes = 6;
+const quiet = 250;  // milliseconds without a change before the facts are asked for
+
+export class Checking {
+  constructor(studio) {
+    this.studio = studio;
+    this.runs = null;       // while the program is asked
+    this.factsOld = true;
+  }
+
+  /// One check at a time; the newest text is the last one that is checked.
+  check() {
+    this.wanted = true;
+    this.runs ??= this.run();
+    return this.runs;
+  }
+
+  async run() {
+    const { studio } = this;
+    while (this.wanted) {
+      this.wanted = false;
+      const text = studio.text;
+      try {
+        const checked = await server.check({ name: studio.name, text, frame: studio.frame });
+        if (checked) this.accept(text, checked);
+      } catch (error) {
+        if (text === studio.text) this.showMistakes(error);
+      }
+    }
+    this.runs = null;
+  }
+
+  /// A text without mistakes is what is shown from now on.
+  accept(text, checked) {
+    const { studio } = this;
+    const first = !studio.base;
+    Object.assign(studio, { checked, goodText: text, base: cameras.cameraOf(checked.view) });
+    if (first || !studio.camera.moved) studio.camera = studio.base;
+    this.showMistakes(null, checked.warnings);
+    byId('frame-label').hidden = checked.frames <= 1;
+    byId('frame').max = checked.frames - 1;
+    studio.live.change();
+    studio.handles.draw();
+    this.factsOld = true;
+    clearTimeout(this.soon);
+    this.soon = setTimeout(() => this.inspect(), quiet);
+  }
+
+  /// What is known, where somebody looks at it.
+  async inspect() {
+    const { studio } = this;
+    if (studio.tab !== 'facts' || !this.factsOld) return;
+    this.factsOld = false;
+    try {
+      const facts = await server.inspect({ name: studio.name, text: studio.goodText, frame: studio.frame });
+      if (facts) showFacts(byId('panel-facts'), facts);
+    } catch (error) {
+      byId('panel-facts').replaceChildren(element('p', { class: 'note' }, error.message));
+    }
+  }
+
+  showMistakes(error, warnings = '') {
+    const place = byId('mistakes');
+    const mistakes = error?.mistakes ?? [];
+    this.studio.editor.mark(mistakes.filter(m => m.file === this.studio.name));
+    place.hidden = !error && !warnings;
+    place.classList.toggle('warning', !error);
+    place.replaceChildren(...(mistakes.length > 0
+      ? mistakes.slice(0, shown_mistakes).map(m => element('button', { class: 'mistake', onclick: () => { this.studio.choose('text'); this.studio.editor.goTo(m.line, m.column); } },
+        element('b', {}, `line ${m.line}`), ` ${m.message}`))
+      : [element('p', {}, error ? error.message : warnings)]));
+  }
+}

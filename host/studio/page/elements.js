@@ -1,0 +1,46 @@
+// Making elements. Texts are texts: nothing that comes from a scene is ever read as markup.
+
+export const byId = id => document.getElementById(id);
+
+/// element('button', { class: 'x', onclick: f, 'aria-label': 'y' }, 'text', child, ...)
+export function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith('on')) made.addEventListener(name.slice(2), value);
+    else if (typeof value === 'boolean') made.toggleAttribute(name, value);
+    else if (value !== null && value !== undefined) made.setAttribute(name, value);
+  }
+  made.append(...children.filter(c => c !== null && c !== undefined));
+  return made;
+}
+
+export const number = (x, digits = 4) => (Number.isFinite(x) ? String(Number(x.toPrecision(digits))) : '–');
+
+/// 12,345
+export const grouped = x => Math.round(x).toLocaleString('en-US');
+
+/// As a power of ten where it is large.
+export function magnificationText(x) {
+  if (x < 1e5) return number(x, x < 100 ? 3 : 4);
+  const exponent = Math.floor(Math.log10(x));
+  return `${(x / 10 ** exponent).toFixed(1)}·10^${exponent}`;
+}
+
+/// Maps with what repeats said once: 2 1 1 1 1 1 is 2 1(5).
+export function shortWord(maps) {
+  const runs = [];
+  for (const map of maps) {
+    if (runs.at(-1)?.map === map) ++runs.at(-1).count;
+    else runs.push({ map, count: 1 });
+  }
+  return runs.map(({ map, count }) => (count > 3 ? `${map}(${count})` : Array(count).fill(map).join(' '))).join(' ');
+}
+
+let fading;
+export function toast(text, kind = '') {
+  const place = byId('toast');
+  place.textContent = text;
+  place.className = `toast shown ${kind}`;
+  clearTimeout(fading);
+  fading = setTimeout(() => place.classList.remove('shown'), kind === 'bad' ? 6000 : 3000);
+}

@@ -1,0 +1,47 @@
+// What is known of the scene without a ray (docs/inspect.md), as it changes.
+import { element, grouped, number } from './elements.js';
+
+const row = (name, value, kind = '', title = '') =>
+  [element('dt', { title }, name), element('dd', { class: kind }, value)];
+
+function systemOf(name, ifs) {
+  const d = ifs.dimension;
+  const contractivity = ifs.contractivity;
+  const state = contractivity >= 1 ? 'bad' : contractivity > 0.95 ? 'near' : 'good';
+  const open = { holds: 'good', fails: 'near', unknown: '' }[ifs.open_set_condition];
+  return element('section', {}, element('h2', {}, name),
+    element('div', { class: 'gauge', role: 'meter', 'aria-label': 'contractivity', 'aria-valuemin': 0, 'aria-valuemax': 1, 'aria-valuenow': number(contractivity) },
+      bar(contractivity, state)),
+    element('dl', { class: 'facts' },
+      ...row('contractivity', `${number(contractivity)} a map`, state, `shown by ${ifs.contraction_proof}`),
+      ...row('similarity dimension', d.similarity === null ? '–' : number(d.similarity, 5)),
+      ...row('affinity dimension', `${number(d.affinity, 5)}${d.affinity_exact ? '' : ' or less'}`, '', d.affinity_why),
+      ...row('box counting', d.box_counting === null ? '–' : `${number(d.box_counting)} ± ${number(d.box_counting_error, 2)}`),
+      ...row('open set condition', ifs.open_set_condition, open, ifs.open_set_why),
+      ...row('connected', ifs.totally_disconnected === null ? 'not known' : ifs.totally_disconnected ? 'no: dust' : 'has connected pieces', '', ifs.totally_disconnected_why),
+      ...row('graph', ifs.complete ? 'any map in any' : ifs.strongly_connected ? 'every map leads to every other' : `${ifs.components.length} components`),
+      ...row('bounding ball', `radius ${number(ifs.bounding_sphere.radius)}`)),
+    element('p', { class: 'note' }, d.meaning),
+    element('div', { class: 'scroll' }, element('table', {}, element('thead', {}, element('tr', {}, ...['map', 'kind', 'stretch', 'volume'].map(t => element('th', {}, t)))),
+      element('tbody', {}, ...ifs.maps.slice(0, 100).map(m => element('tr', {}, element('td', {}, m.name), element('td', {}, m.kind),
+        element('td', { class: m.lipschitz >= 1 ? 'bad' : '' }, number(m.lipschitz)), element('td', {}, number(Math.abs(m.determinant)))))))));
+}
+
+function bar(share, state) {
+  const fill = element('i', { class: state });
+  fill.style.width = `${Math.min(100, share * 100)}%`;
+  return fill;
+}
+
+export function showFacts(place, facts) {
+  const memory = facts.memory;
+  place.replaceChildren(
+    ...Object.entries(facts.ifs).map(([name, ifs]) => systemOf(name, ifs)),
+    element('section', {}, element('h2', {}, 'Objects'), element('dl', { class: 'facts' },
+      ...facts.objects.flatMap(o => row(o.name || o.ifs || 'object', `volume: ${o.volume}`)))),
+    element('section', {}, element('h2', {}, `A node of the ${memory.model}`), element('dl', { class: 'facts' },
+      ...['fast_memory', 'front_buffer', 'back_buffer', 'zbuffer', 'texture'].flatMap(name => {
+        const use = memory[name];
+        return row(name.replace('_', ' '), `${grouped(use.used_bytes)} of ${grouped(use.limit_bytes)} bytes`, use.used_bytes > use.limit_bytes ? 'bad' : '');
+      }))));
+}

@@ -1,0 +1,54 @@
+// The scenes there are, as small pictures that the engine makes when they come into sight.
+import { byId, element } from './elements.js';
+import * as server from './server.js';
+
+const thumbnail = { columns: 264, rows: 198, samples: 1, machine: '', settings: [] };
+
+class Thumbnails {
+  constructor() {
+    this.queue = [];
+    this.busy = false;
+    this.seen = new IntersectionObserver(entries => {
+      for (const entry of entries) {
+        if (!entry.isIntersecting) continue;
+        this.seen.unobserve(entry.target);
+        this.queue.push(entry.target);
+      }
+      this.work();
+    }, { root: byId('gallery'), rootMargin: '200px' });
+    this.jobs = new WeakMap();
+  }
+  add(card, job) { this.jobs.set(card, job); this.seen.observe(card); }
+  async work() {
+    if (this.busy) return;
+    this.busy = true;
+    for (let card; (card = this.queue.shift());) {
+      try { await this.jobs.get(card)(); } catch (error) { card.querySelector('.why').textContent = String(error.message).split('\n')[0]; }
+    }
+    this.busy = false;
+  }
+}
+
+export class Gallery {
+  constructor(facts, open) {
+    this.thumbnails = new Thumbnails();
+    byId('folder').textContent = facts.folder;
+    byId('own').hidden = facts.scenes.length === 0;
+    byId('own-cards').replaceChildren(...facts.scenes.map(name =>
+      this.card(name, async () => (await server.open(name)).text, () => open(name, false))));
+    byId('shipped-cards').replaceChildren(...facts.shipped.map(scene =>
+      this.card(scene.name, async () => scene.text, () => open(scene.name, true))));
+  }
+
+  card(name, text, open) {
+    const canvas = element('canvas', { width: thumbnail.columns, height: thumbnail.rows, 'aria-hidden': 'true' });
+    const card = element('li', {}, element('button', { class: 'scene-card', onclick: open, title: name },
+      canvas, element('span', { class: 'caption' }, name.replace(/\.pxm$/, '')), element('span', { class: 'why' })));
+    this.thumbnails.add(card, async () => {
+      const picture = await server.picture({ name, text: await text(), ...thumbnail }, 'thumbnail');
+      if (picture) canvas.getContext('2d').putImageData(picture.pixels, 0, 0);
+      canvas.classList.add('made');
+    });
+    return card;
+  }
+}

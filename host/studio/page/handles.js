@@ -1,0 +1,143 @@
+// Maps in the picture (Sec. 9.3): each as the image of one tetrahedron that stands for the whole. A
+// corner or the middle of the one that is selected can be dragged.
+import { dragged, projected } from './camera.js';
+import { cornersOf, mapOf, moveMap, replaceSteps, stepsOf, tetrahedronStep } from './map_edits.js';
+import { add, direction, inverse, point, scaled } from './vectors.js';
+
+const edges = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+const reach = 14;  // CSS pixels around a handle that mean it
+const upright = [[0, 1, 0], [0, -1 / 3, -Math.sqrt(8) / 3], [Math.sqrt(2 / 3), -1 / 3, Math.sqrt(2) / 3], [-Math.sqrt(2 / 3), -1 / 3, Math.sqrt(2) / 3]];
+
+/// A tetrahedron in the ball around a system, in numbers that are short enough to be written.
+export function referenceOf(center, radius) {
+  const digits = Math.max(0, 2 - Math.floor(Math.log10(radius)));
+  return upright.map(v => add(center, scaled(v, radius)).map(x => Number(x.toFixed(Math.min(15, digits)))));
+}
+
+export class Handles {
+  /// `scene()` gives { text, block, map, lets, camera, reference, place } (`place`: the object's matrix),
+  /// or null where there is nothing to shape.
+  constructor(canvas, scene) {
+    this.canvas = canvas;
+    this.scene = scene;
+    this.drag = null;
+  }
+
+  /// CSS pixels; (0, 0) is at the top left.
+  toScreen(camera, world) {
+    const { clientWidth: w, clientHeight: h } = this.canvas;
+    const p = projected(camera, world);
+    return { x: w / 2 * (1 + p.x), y: h / 2 - w / 2 * p.y, ahead: p.ahead };
+  }
+
+  /// The tetrahedron whose image a map is drawn as: that of its own step, or the one for all.
+  referenceFor(scene, index) {
+    const steps = stepsOf(scene.block.maps[index]);
+    const own = steps.length === 1 && steps[0].word === 'tetrahedron' ? cornersOf(steps[0], scene.lets) : null;
+    return own?.from ?? scene.reference;
+  }
+
+  cornersIn(scene, index) {
+    const map = mapOf(scene.block.maps[index], scene.lets);
+    return map && this.referenceFor(scene, index).map(c => point(scene.place, point(map, c)));
+  }
+
+  draw() {
+    const ratio = Math.min(devicePixelRatio || 1, 2);
+    const { clientWidth: w, clientHeight: h } = this.canvas;
+    if (this.canvas.width !== Math.round(w * ratio)) this.canvas.width = Math.round(w * ratio);
+    if (this.canvas.height !== Math.round(h * ratio)) this.canvas.height = Math.round(h * ratio);
+    const context = this.canvas.getContext('2d');
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, w, h);
+    const scene = this.scene();
+    if (!scene) return;
+    this.tetrahedron(context, scene.reference.map(c => this.toScreen(scene.camera, point(scene.place, c))), 'whole');
+    scene.block.maps.forEach((_, i) => { if (i !== scene.map) this.drawMap(context, scene, i, 'other'); });
+    if (scene.map >= 0) this.drawMap(context, scene, scene.map, 'selected');
+  }
+
+  drawMap(context, scene, index, role) {
+    const corners = this.cornersIn(scene, index);
+    if (corners) this.tetrahedron(context, corners.map(c => this.toScreen(scene.camera, c)), role);
+  }
+
+  tetrahedron(context, corners, role) {
+    if (corners.some(c => !(c.ahead > 0))) return;
+    const path = () => {
+      context.beginPath();
+      for (const [a, b] of edges) { context.moveTo(corners[a].x, corners[a].y); context.lineTo(corners[b].x, corners[b].y); }
+    };
+    const selected = role === 'selected';
+    context.setLineDash(role === 'whole' ? [3, 5] : []);
+    context.lineJoin = 'round';
+    path(); context.strokeStyle = 'rgba(0,0,0,0.55)'; context.lineWidth = selected ? 4 : 2.5; context.stroke();
+    path(); context.strokeStyle = selected ? '#ffc24d' : role === 'whole' ? 'rgba(255,255,255,0.55)' : 'rgba(140,190,255,0.7)';
+    context.lineWidth = selected ? 2 : 1; context.stroke();
+    context.setLineDash([]);
+    if (!selected) return;
+    for (const c of [...corners, this.middle(corners)]) {
+      context.beginPath();
+      if (!corners.includes(c)) context.rect(c.x - 6, c.y - 6, 12, 12); else context.arc(c.x, c.y, 6, 0, 7);
+      context.fillStyle = '#ffc24d'; context.strokeStyle = 'rgba(0,0,0,0.8)'; context.lineWidth = 2;
+      context.fill(); context.stroke();
+    }
+  }
+
+  middle(corners) {
+    const mean = k => corners.reduce((sum, c) => sum + c[k], 0) / 4;
+    return { x: mean('x'), y: mean('y'), ahead: mean('ahead') };
+  }
+
+  /// What is under a place: { map, corner } (4 is the middle), or null.
+  hit(x, y) {
+    const scene = this.scene();
+    if (!scene) return null;
+    const far = p => Math.hypot(p.x - x, p.y - y);
+    if (scene.map >= 0) {
+      const corners = this.cornersIn(scene, scene.map)?.map(c => this.toScreen(scene.camera, c));
+      if (corners?.every(c => c.ahead > 0)) {
+        const all = [...corners, this.middle(corners)];
+        const nearest = all.reduce((best, c, i) => (far(c) < far(all[best]) ? i : best), 0);
+        if (far(all[nearest]) <= reach) return { map: scene.map, corner: nearest };
+      }
+    }
+    return null;
+  }
+
+  /// The map whose tetrahedron's middle is nearest to a place, if it is near.
+  nearest(x, y) {
+    const scene = this.scene();
+    if (!scene) return -1;
+    let best = -1, least = 30;
+    scene.block.maps.forEach((_, i) => {
+      const corners = this.cornersIn(scene, i)?.map(c => this.toScreen(scene.camera, c));
+      if (!corners?.every(c => c.ahead > 0)) return;
+      const m = this.middle(corners), distance = Math.hypot(m.x - x, m.y - y);
+      if (distance < least) [best, least] = [i, distance];
+    });
+    return best;
+  }
+
+  begin(hit, x, y) {
+    const scene = this.scene();
+    const from = this.referenceFor(scene, hit.map);
+    const whole = mapOf(scene.block.maps[hit.map], scene.lets);
+    const seen = this.cornersIn(scene, hit.map).map(c => this.toScreen(scene.camera, c));
+    this.drag = { ...hit, x, y, scene, from, to: from.map(c => point(whole, c)), back: inverse(scene.place),
+      ahead: hit.corner < 4 ? seen[hit.corner].ahead : this.middle(seen).ahead };
+  }
+
+  /// The text with the map where the pointer has taken it.
+  moved(x, y) {
+    const { scene, map, corner, from, to, back, ahead } = this.drag;
+    const across = 2 / this.canvas.clientWidth;
+    const world = dragged(scene.camera, ahead, (x - this.drag.x) * across, (this.drag.y - y) * across);
+    const offset = back ? direction(back, world) : world;
+    const block = scene.block.maps[map];
+    if (corner === 4) return moveMap(scene.text, block, scene.lets, offset);
+    return replaceSteps(scene.text, block, tetrahedronStep(from, to.map((c, i) => (i === corner ? add(c, offset) : c))));
+  }
+
+  end() { this.drag = null; }
+}

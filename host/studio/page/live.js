@@ -1,0 +1,160 @@
+// The live picture: small at once, then whole, then smooth. What has begun to be small is shown; what
+// is finer than that is given up as soon as anything changes.
+import * as server from './server.js';
+
+const quick = 45, easy = 20;  // milliseconds that a small picture may take, and when it may be larger
+const rest = 160;             // milliseconds without a change before samples are taken
+
+const machine_pixels = 76_800;  // of a picture by the simulated machine
+
+const pause = time => new Promise(done => setTimeout(done, time));
+
+export class Live {
+  /// `question()` is what to show: {name, text, settings, samples, machine, frame}; `told(event)` hears
+  /// of every picture, and of what is wrong.
+  constructor(canvas, question, told) {
+    this.canvas = canvas;
+    this.context = canvas.getContext('2d', { alpha: false });
+    this.small = document.createElement('canvas');
+    this.question = question;
+    this.told = told;
+    this.version = 0;
+    this.shown = -1;
+    this.divisor = 4;
+    this.running = false;
+    this.last = null;  // the picture that is shown whole
+  }
+
+  /// The canvas in device pixels, as many as the program gives.
+  fit(most) {
+    const box = this.canvas.parentElement.getBoundingClientRect();
+    const ratio = Math.min(devicePixelRatio || 1, 2);
+    const wanted = [box.width * ratio, box.height * ratio].map(x => Math.max(16, Math.round(x)));
+    const shrink = Math.min(1, most.side / Math.max(...wanted), Math.sqrt(most.pixels / (wanted[0] * wanted[1])));
+    const [columns, rows] = wanted.map(x => Math.max(16, Math.floor(x * shrink)));
+    if (columns === this.canvas.width && rows === this.canvas.height) return;
+    const old = this.canvas.width > 1 && this.last ? createCopy(this.canvas) : null;
+    this.canvas.width = columns;
+    this.canvas.height = rows;
+    if (old) this.context.drawImage(old, 0, 0, columns, rows);
+    this.change();
+  }
+
+  /// Nothing of another scene stays.
+  clear() {
+    this.last = null;
+    this.context.fillStyle = '#000';
+    this.context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+  }
+
+  get size() { return { columns: this.canvas.width, rows: this.canvas.height }; }
+
+  /// Of the picture that is made in the end: the machine's is smaller.
+  get wholeSize() {
+    const { columns, rows } = this.size;
+    const shrink = this.question()?.machine ? Math.min(1, Math.sqrt(machine_pixels / (columns * rows))) : 1;
+    return { columns: Math.max(16, Math.round(columns * shrink)), rows: Math.max(16, Math.round(rows * shrink)) };
+  }
+
+  /// Something to show is another.
+  change() {
+    ++this.version;
+    this.changed = performance.now();
+    if (!this.running) this.run();
+    else if (this.wake) this.wake();
+  }
+
+  async run() {
+    this.running = true;
+    try {
+      while (this.shown !== this.version) await this.refine(this.version);
+    } finally {
+      this.running = false;
+    }
+  }
+
+  /// All steps for one version, until there is another.
+  async refine(version) {
+    if (!this.question()) {  // there is no scene yet
+      this.shown = version;
+      return;
+    }
+    const { columns, rows } = this.wholeSize;
+    const fresh = () => version === this.version;
+    try {
+      if (!this.question().machine && !await this.coarse(columns, rows)) return;
+      if (!fresh()) return;
+      const begin = performance.now();
+      let picture = await this.whole(version, { columns, rows, samples: 1 });
+      if (!picture || !fresh()) return;
+      this.show(picture, 'whole', performance.now() - begin);
+      const samples = this.question().samples;
+      if (samples !== 1 && !this.question().machine) {
+        await this.sleep(rest - (performance.now() - this.changed));
+        if (!fresh()) return;
+        picture = await this.whole(version, { columns, rows, samples });
+        if (!picture || !fresh()) return;
+        this.show(picture, 'smooth', performance.now() - begin);
+      }
+      this.shown = version;
+      this.told({ kind: 'done' });
+    } catch (error) {
+      this.shown = version;  // the last good picture stays
+      this.told({ kind: 'refused', error });
+    }
+  }
+
+  async coarse(columns, rows) {
+    const size = [columns, rows].map(x => Math.max(8, Math.round(x / this.divisor)));
+    const begin = performance.now(), changed = this.changed;
+    const picture = await server.picture({ ...this.question(), columns: size[0], rows: size[1], samples: 1 });
+    if (!picture) return false;
+    this.stretch(picture.pixels, true);
+    const took = performance.now() - begin;
+    if (took > quick) this.divisor = Math.min(12, this.divisor * 1.25);
+    if (took < easy) this.divisor = Math.max(2, this.divisor * 0.8);
+    this.told({ kind: 'picture', phase: 'coarse', picture, took, since: performance.now() - changed });
+    return true;
+  }
+
+  /// A whole picture; null as soon as there is a change. The next question, for a small picture, makes
+  /// the program stop working on this one.
+  async whole(version, more) {
+    const asked = server.picture({ ...this.question(), ...more });
+    asked.catch(() => {});  // what is wrong with a picture that nobody waits for
+    const woken = new Promise(done => { this.wake = () => done(null); });
+    const picture = await Promise.race([asked, woken]);
+    this.wake = null;
+    return version === this.version ? picture : null;
+  }
+
+  async sleep(time) {
+    if (time <= 0) return;
+    await Promise.race([pause(time), new Promise(done => { this.wake = done; })]);
+    this.wake = null;
+  }
+
+  stretch(pixels, smooth) {
+    this.small.width = pixels.width;
+    this.small.height = pixels.height;
+    this.small.getContext('2d').putImageData(pixels, 0, 0);
+    this.context.imageSmoothingEnabled = smooth;
+    this.context.drawImage(this.small, 0, 0, this.canvas.width, this.canvas.height);
+  }
+
+  show(picture, phase, took) {
+    if (picture.pixels.width === this.canvas.width && picture.pixels.height === this.canvas.height)
+      this.context.putImageData(picture.pixels, 0, 0);
+    else this.stretch(picture.pixels, false);
+    this.last = picture;
+    this.told({ kind: 'picture', phase, picture, took, since: performance.now() - this.changed });
+  }
+}
+
+function createCopy(canvas) {
+  const copy = document.createElement('canvas');
+  copy.width = canvas.width;
+  copy.height = canvas.height;
+  copy.getContext('2d').drawImage(canvas, 0, 0);
+  return copy;
+}

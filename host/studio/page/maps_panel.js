@@ -1,0 +1,202 @@
+// The maps of a system as cards, each with its steps (Sec. 9.2): what is typed, dragged or pressed here
+// becomes an edit of the text.
+import { element, number } from './elements.js';
+import { graphOf, graphPanel } from './graph_panel.js';
+import * as edits from './map_edits.js';
+import { valueOf } from './scene_tokens.js';
+import { lipschitz } from './vectors.js';
+
+const labels = { scale: ['x', 'y', 'z'], translate: ['x', 'y', 'z'], rotate: ['', '°'] };
+const pixel_steps = { scale: 0.005, translate: 0.005, rotate: 0.5, matrix: 0.005 };
+
+const hex = c => '#' + c.map(x => Math.round(255 * Math.min(1, Math.max(0, x))).toString(16).padStart(2, '0')).join('');
+const fromHex = text => [1, 3, 5].map(i => Number((parseInt(text.slice(i, i + 2), 16) / 255).toFixed(3)));
+
+export class MapsPanel {
+  /// `scene` gives { text, outline, lets, ifs, map }; `edit(text, kind)`, `select(ifs, map)`.
+  constructor(place, scene, edit, select) {
+    Object.assign(this, { place, scene, edit, select });
+    this.shape = '';
+  }
+
+  draw() {
+    const { outline, ifs, map } = this.scene();
+    const shape = JSON.stringify([ifs, map, outline.ifs.map(block => [block.name, block.maps.map(m =>
+      [m.name, m.directives.map(d => [d.word, d.args.length])]), graphOf(block, this.text()).allowed])]);
+    if (shape !== this.shape) {
+      const focus = document.activeElement?.dataset?.key;
+      this.shape = shape;
+      this.rebuild();
+      if (focus) this.place.querySelector(`[data-key="${focus}"]`)?.focus();
+    }
+    this.refresh();
+  }
+
+  block() { const { outline, ifs } = this.scene(); return outline.ifs[ifs]; }
+  mapAt(index) { return this.block().maps[index]; }
+  text() { return this.scene().text; }
+
+  rebuild() {
+    const { outline, ifs } = this.scene();
+    if (outline.ifs.length === 0) {
+      this.place.replaceChildren(element('p', { class: 'note' }, 'This scene has no maps of its own: they stand in a file that it includes, or it shows volumes only. Its text is in the next panel.'));
+      return;
+    }
+    const head = element('div', { class: 'row' },
+      outline.ifs.length > 1
+        ? element('select', { 'aria-label': 'System', onchange: e => this.select(Number(e.target.value), 0) },
+          ...outline.ifs.map((block, i) => element('option', { value: i, selected: i === ifs }, block.name)))
+        : element('h2', {}, outline.ifs[ifs].name),
+      element('span', { class: 'grow' }),
+      element('button', { title: 'Another map', 'data-key': 'add', onclick: () => this.addMap() }, '+ Map'));
+    const graph = graphPanel(this.scene, text => this.edit(text));
+    this.place.replaceChildren(head, ...this.block().maps.map((map, i) => this.card(map, i)), ...(graph ? [graph] : []));
+  }
+
+  addMap() {
+    const count = this.block().maps.length;
+    this.edit(edits.addMap(this.text(), this.block(), 'newmap scale: 0.5 translate: 0,0.5,0'));
+    this.select(this.scene().ifs, count);
+  }
+
+  card(map, index) {
+    const open = index === this.scene().map;
+    const act = (label, title, edit, then) => element('button', {
+      class: 'small', title, 'aria-label': title, 'data-key': `${index}.${title}`,
+      onclick: () => { this.edit(edit()); if (then !== undefined) this.select(this.scene().ifs, then()); },
+    }, label);
+    const count = () => this.block().maps.length - 1;
+    const title = element('button', { class: 'map-title', 'aria-expanded': String(open), 'data-key': `${index}.title`,
+      onclick: () => this.select(this.scene().ifs, open ? -1 : index) },
+      element('span', { class: 'swatch', 'data-swatch': index }),
+      element('span', {}, map.name ? `${index + 1} ${map.name}` : `Map ${index + 1}`),
+      element('span', { class: 'lip', 'data-lip': index, title: 'How much it shrinks: its largest stretch' }));
+    if (!open) return element('article', { class: 'card' }, title);
+    return element('article', { class: 'card open' }, title,
+      element('ol', { class: 'steps' }, ...edits.stepsOf(map).map((step, s) => this.step(index, step, s))),
+      this.adder(index), this.looks(index),
+      element('div', { class: 'row' },
+        act('Copy', 'Copy this map', () => edits.copyMap(this.text(), this.block(), this.mapAt(index)), count),
+        act('Mirror', 'A mirrored copy, left to right', () => edits.copyMap(this.text(), this.block(), this.mapAt(index), edits.mirrored('x')), count),
+        element('span', { class: 'grow' }),
+        act('Delete', 'Delete this map', () => edits.removeMap(this.text(), this.mapAt(index)), () => Math.max(0, index - 1))));
+  }
+
+  step(index, step, s) {
+    const key = `${index}.${s}`;
+    const now = () => edits.stepsOf(this.mapAt(index));
+    const move = to => { if (to >= 0 && to < now().length) this.edit(edits.moveStep(this.text(), this.mapAt(index), s, to)); };
+    const row = element('li', { class: `step ${step.word}`, draggable: false, 'data-step': s },
+      element('span', { class: 'grip', title: 'Drag to reorder', draggable: true }, '⠿'),
+      element('b', {}, step.word),
+      element('div', { class: 'values' }, ...step.args.map((_, a) => this.field(index, s, a, step))),
+      element('span', { class: 'ends' },
+        element('button', { class: 'small', title: 'Earlier', 'aria-label': `${step.word} earlier`, 'data-key': `${key}.up`, onclick: () => move(s - 1) }, '↑'),
+        element('button', { class: 'small', title: 'Later', 'aria-label': `${step.word} later`, 'data-key': `${key}.down`, onclick: () => move(s + 1) }, '↓'),
+        element('button', { class: 'small', title: 'Remove this step', 'aria-label': `remove ${step.word}`, 'data-key': `${key}.remove`,
+          onclick: () => this.edit(edits.removeDirective(this.text(), now()[s])) }, '×')));
+    row.addEventListener('dragstart', e => { e.dataTransfer.setData('text/plain', String(s)); e.dataTransfer.effectAllowed = 'move'; });
+    row.addEventListener('dragover', e => e.preventDefault());
+    row.addEventListener('drop', e => {
+      e.preventDefault();
+      const from = Number(e.dataTransfer.getData('text/plain'));
+      if (Number.isInteger(from) && from !== s && from < now().length) this.edit(edits.moveStep(this.text(), this.mapAt(index), from, s));
+    });
+    return row;
+  }
+
+  field(index, s, a, step) {
+    const name = labels[step.word]?.[step.args.length === 1 ? -1 : a] ?? '';
+    const spoken = step.word === 'rotate' ? ['axis', 'degrees'][a] : name;
+    const step_now = () => edits.stepsOf(this.mapAt(index))[s];
+    const put = (value, kind) => this.edit(edits.setArgument(this.text(), step_now(), a, value), kind);
+    const kind = `${index}.${s}.${a}`;
+    const input = element('input', { 'data-key': kind, 'data-arg': kind, size: 6, spellcheck: false, autocomplete: 'off',
+      'aria-label': `${step.word} ${spoken}`.trim(), class: step.word === 'rotate' && a === 0 ? 'axis' : '', oninput: e => { if (e.target.value.trim()) put(e.target.value, kind); },
+      onkeydown: e => this.nudge(e, step, put, kind) });
+    const label = element('label', { class: 'value' }, element('span', { class: 'scrub', title: 'Drag sideways' }, name || (step.word === 'rotate' ? '' : '↔')), input);
+    this.scrub(label.firstChild, () => valueOf(step_now().args[a].text, this.scene().lets), pixel_steps[step.word], x => put(edits.short(x), kind));
+    return label;
+  }
+
+  /// Up and down change a number a little.
+  nudge(event, step, put, kind) {
+    const sign = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    const value = valueOf(event.target.value, this.scene().lets);
+    if (!sign || !pixel_steps[step.word] || !Number.isFinite(value)) return;
+    event.preventDefault();
+    const next = edits.short(value + sign * pixel_steps[step.word] * (event.shiftKey ? 10 : 2));
+    event.target.value = next;
+    put(next, kind);
+  }
+
+  scrub(place, value, step, put) {
+    place.addEventListener('pointerdown', event => {
+      const start = value();
+      if (!step || !Number.isFinite(start)) return;
+      event.preventDefault();
+      place.setPointerCapture(event.pointerId);
+      const move = e => put(start + (e.clientX - event.clientX) * step * (e.shiftKey ? 0.1 : 1));
+      place.addEventListener('pointermove', move);
+      place.addEventListener('lostpointercapture', () => place.removeEventListener('pointermove', move), { once: true });
+    });
+  }
+
+  adder(index) {
+    return element('div', { class: 'row adder' }, element('span', { class: 'note' }, 'add'), ...Object.keys(edits.defaultStep).map(word =>
+      element('button', { class: 'small', 'data-key': `${index}.add.${word}`,
+        onclick: () => this.edit(edits.addStep(this.text(), this.mapAt(index), edits.defaultStep[word])) }, word)));
+  }
+
+  /// Colour, how much of it, and weight.
+  looks(index) {
+    const color = () => edits.setOnce(this.text(), this.mapAt(index), 'color',
+      [...fromHex(this.find(`${index}.color`).value), this.find(`${index}.share`).value].join(','));
+    return element('div', { class: 'row looks' },
+      element('label', { class: 'note' }, 'colour ', element('input', { type: 'color', 'data-key': `${index}.color`, oninput: () => {
+        const share = this.find(`${index}.share`);
+        if (Number(share.value) === 0) share.value = '0.5';
+        this.edit(color(), `${index}.color`);
+      } })),
+      element('label', { class: 'note' }, 'how much ', element('input', { type: 'range', min: 0, max: 1, step: 0.05, 'data-key': `${index}.share`,
+        oninput: () => this.edit(color(), `${index}.color`) })),
+      element('label', { class: 'note', title: 'How often the chaos game takes it; pictures do not change' }, 'weight ', element('input', { size: 4, placeholder: 'auto', 'data-key': `${index}.weight`, autocomplete: 'off',
+        oninput: e => this.edit(edits.setOnce(this.text(), this.mapAt(index), 'weight', e.target.value.trim()), `${index}.weight`) })));
+  }
+
+  find(key) { return this.place.querySelector(`[data-key="${key}"]`); }
+
+  /// The values that changed, in the fields that nobody is typing into.
+  refresh() {
+    const { outline, ifs, map, lets } = this.scene();
+    const block = outline.ifs[ifs];
+    if (!block) return;
+    block.maps.forEach((one, i) => {
+      const whole = edits.mapOf(one, lets);
+      const stretch = whole ? lipschitz(whole) : NaN;
+      const badge = this.place.querySelector(`[data-lip="${i}"]`);
+      badge.textContent = Number.isFinite(stretch) ? `×${number(stretch, 3)}` : '';
+      badge.classList.toggle('bad', stretch >= 1);
+      badge.classList.toggle('near', stretch >= 0.95 && stretch < 1);
+      this.place.querySelector(`[data-swatch="${i}"]`).style.background = hex(this.colorOf(one));
+    });
+    if (map >= 0 && block.maps[map]) this.refreshCard(block.maps[map], map);
+  }
+
+  colorOf(map) {
+    const values = map.directives.find(d => d.word === 'color')?.args.map(a => valueOf(a.text, this.scene().lets)) ?? [];
+    return values.length === 4 && values.every(Number.isFinite) ? values.slice(0, 3) : [0.9, 0.9, 0.9];
+  }
+
+  refreshCard(map, index) {
+    const put = (key, value) => {
+      const field = this.find(key);
+      if (field && field !== document.activeElement && field.value !== value) field.value = value;
+    };
+    edits.stepsOf(map).forEach((step, s) => step.args.forEach((arg, a) => put(`${index}.${s}.${a}`, arg.text)));
+    const color = map.directives.find(d => d.word === 'color')?.args.map(a => valueOf(a.text, this.scene().lets));
+    put(`${index}.color`, hex(this.colorOf(map)));
+    put(`${index}.share`, String(color?.[3] ?? 0));
+    put(`${index}.weight`, map.directives.find(d => d.word === 'weight')?.args[0]?.text ?? '');
+  }
+}

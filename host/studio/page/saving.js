@@ -1,0 +1,93 @@
+// What leaves the page and comes into it: the scene's file, the command, the picture, a file that is
+// dropped here.
+import { commandOf } from './command.js';
+import { byId, element, toast } from './elements.js';
+import * as server from './server.js';
+
+async function saveAs(studio, name, seen) {
+  try {
+    const answer = await server.save(name, studio.text, seen);
+    if (!answer.saved) return false;
+    studio.saved = studio.text;
+    const renamed = name !== studio.name || studio.shipped;
+    Object.assign(studio, { name, shipped: false, digest: answer.digest, arrivedAt: `${name}|` });
+    studio.keepText();
+    studio.drawName();
+    if (renamed) studio.noteAddress();
+    toast(`Saved ${name}.`);
+  } catch (error) {
+    toast(error.message, 'bad');
+  }
+  return true;
+}
+
+/// Asks for a name where there is none yet, and before another file than the one seen is replaced.
+export async function save(studio, ask = studio.shipped) {
+  if (!ask && await saveAs(studio, studio.name, studio.digest)) return;
+  const dialog = byId('save-dialog'), field = byId('save-name'), note = byId('save-note');
+  field.value = studio.name;
+  note.textContent = ask ? '' : `${studio.name} has changed on the disk since it was opened. Save under this name to replace it, or choose another.`;
+  let replace = ask ? '' : studio.name;
+  byId('save-cancel').onclick = () => dialog.close('cancel');
+  for (;;) {
+    dialog.returnValue = 'cancel';
+    dialog.showModal();
+    await new Promise(done => dialog.addEventListener('close', done, { once: true }));
+    if (dialog.returnValue !== 'save') return;
+    const name = field.value.trim();
+    let seen = '';
+    try {
+      if (replace === name) seen = (await server.open(name)).digest;
+    } catch { seen = ''; }
+    if (await saveAs(studio, name, seen)) return;
+    replace = name;
+    note.textContent = `${name} is there already. Save again to replace it.`;
+  }
+}
+
+/// To the clipboard, if the file that it reads is what is shown.
+export async function copyCommand(studio) {
+  if (studio.shipped || studio.text !== studio.saved || studio.text !== studio.goodText) {
+    toast('Save the scene first, without mistakes: the command reads its file.', 'bad');
+    return;
+  }
+  const command = commandOf(studio.finished());
+  try {
+    await navigator.clipboard.writeText(command);
+    toast(`Copied: ${command}`);
+  } catch {
+    toast(command);
+  }
+  byId('command').dataset.command = command;
+}
+
+/// The file that the command would write.
+export async function savePng(studio) {
+  if (studio.goodText === '') return;
+  try {
+    const picture = await server.png(studio.finished());
+    if (!picture) return;
+    const link = element('a', { href: URL.createObjectURL(picture), download: studio.name.replace(/^.*\//, '').replace(/\.pxm$/, '.png') });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  } catch (error) {
+    toast(error.message, 'bad');
+  }
+}
+
+/// A scene's file from elsewhere, as a new one that is not saved.
+export async function takeDropped(studio, event) {
+  const file = event.dataTransfer.files[0];
+  if (!file) return;
+  event.preventDefault();
+  if (!file.name.endsWith('.pxm') || file.size > 1e6) {
+    toast('Scenes end in .pxm; pxm import makes them of other files.', 'bad');
+    return;
+  }
+  studio.dropped = await file.text();
+  studio.arrivedAt = '';
+  const name = file.name.replace(/[^\w.-]/g, '_').replace(/^[.]+/, '');
+  sessionStorage.removeItem(`pxm:${name}:true`);
+  if (location.hash.slice(1) === String(new URLSearchParams({ scene: name, from: 'pxm' }))) studio.arrive();
+  else studio.go({ scene: name, shipped: true });
+}

@@ -1,0 +1,71 @@
+// What the page asks of the program. Every question has a number: of those of one kind the newest
+// counts, and an older one is answered with null.
+
+/// Something that the program says is wrong; `mistakes` have their lines.
+export class Refusal extends Error {
+  constructor({ kind, message, mistakes }) {
+    super(message);
+    this.kind = kind;
+    this.mistakes = mistakes;
+  }
+}
+
+const page = [...crypto.getRandomValues(new Uint8Array(8))].map(b => b.toString(16).padStart(2, '0')).join('');
+let serial = 0;
+
+async function ask(path, question) {
+  let response;
+  try {
+    response = await fetch(path, question === undefined ? {} : {
+      method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(question) });
+  } catch {
+    throw new Refusal({ kind: 'gone', message: 'The studio has ended. Start it again with pxm studio.', mistakes: [] });
+  }
+  if (!response.ok) throw new Refusal({ kind: 'refused', message: (await response.text()).trim(), mistakes: [] });
+  if (response.headers.get('Content-Type') !== 'application/json') return response;
+  const answer = await response.json();
+  if (answer.error) throw new Refusal(answer.error);
+  return answer.superseded ? null : answer;
+}
+
+const numbered = (kind, question) => ({ ...question, view: `${page}-${kind}`, serial: ++serial });
+
+export const start = () => ask('/api/start');
+export const open = name => ask('/api/open', { name });
+export const save = (name, text, seen) => ask('/api/save', { name, text, seen });
+export const check = scene => ask('/api/check', numbered('check', scene));
+export const inspect = scene => ask('/api/inspect', numbered('inspect', scene));
+export const pick = (picture, x, y) => ask('/api/pick', numbered('pick', { ...picture, x, y }));
+export const pixel = (picture, x, y) => ask('/api/pixel', numbered('pixel', { ...picture, x, y }));
+
+/// { head, pixels: ImageData, cycles: of the machine, Uint32Array }.
+export async function picture(question, kind = 'picture') {
+  const response = await ask('/api/picture', numbered(kind, question));
+  if (!response) return null;
+  const bytes = await response.arrayBuffer();
+  const size = new DataView(bytes).getUint32(0, true);
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, size)));
+  const count = head.columns * head.rows;
+  const rgba = new Uint8ClampedArray(bytes, 4 + size, count * 4);
+  const rest = bytes.slice(4 + size + count * 4);
+  return { head, pixels: new ImageData(rgba, head.columns, head.rows),
+    cycles: rest.byteLength ? new Uint32Array(rest) : null };
+}
+
+export async function png(question) {
+  const response = await ask('/api/png', numbered('png', question));
+  return response && response.blob();
+}
+
+/// Tells the program that somebody is here for as long as a page is. A browser has six connections for
+/// all tabs of a host: of several pages one keeps the line open for all, and another when that one goes.
+export function stay(changed) {
+  addEventListener('pagehide', () => {
+    fetch('/api/leave', { method: 'POST', keepalive: true, headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ view: page }) }).catch(() => {});
+  });
+  navigator.locks.request('pxm-alive', () => new Promise(() => {
+    const source = new EventSource(`/api/alive?view=${page}`);
+    source.onopen = () => changed(true);
+    source.onerror = () => changed(false);
+  }));
+}

@@ -1,0 +1,32 @@
+// The camera of a scene with its defaults filled in: where a page that moves it begins.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "host/fractal/bounds/bounds.hpp"
+#include "host/scene/diagnostics.hpp"
+#include "host/scene/scene.hpp"
+
+namespace pxm::host {
+
+struct SceneView {
+    std::array<std::string, 3> eye;  // before `zoom`
+    std::array<std::string, 3> look;
+    glm::dvec3 up{0, 1, 0};
+    double half_width = 1;  // tan(fov / 2)
+    std::optional<double> orthographic;
+    double zoom = 1;
+    Ball ball;                               // around all objects
+    std::map<std::string, Ball> attractors;  // of the systems that are shown, in their coordinates
+};
+
+/// As compile() sees the scene, at that size. Systems that do not contract are added to
+/// `diagnostics`. Precondition: check_scene found the scene right.
+[[nodiscard]] SceneView view_of(const Scene& scene, const PixelSize& size,
+                                Diagnostics& diagnostics);
+
+}  // namespace pxm::host

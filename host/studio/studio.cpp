@@ -1,0 +1,274 @@
+#include "host/studio/studio.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host/error.hpp"
+#include "host/inspect/inspect_json.hpp"
+#include "host/inspect/inspection.hpp"
+#include "host/scene/check/check.hpp"
+#include "host/scene/default_objects.hpp"
+#include "host/scene/parse/parser.hpp"
+#include "host/studio/answers_json.hpp"
+#include "host/studio/asks_json.hpp"
+#include "host/studio/assets.hpp"
+#include "host/studio/exact_point.hpp"
+#include "host/studio/gate.hpp"
+#include "host/studio/http_server.hpp"
+#include "host/studio/picked_cell.hpp"
+#include "host/studio/picture.hpp"
+#include "host/studio/presence.hpp"
+#include "host/studio/scene_folder.hpp"
+#include "host/studio/turns.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr const char* json_type = "application/json";
+constexpr int most_pages = 16;
+constexpr int computing_at_once = 3;
+
+/// The scene of a text, checked.
+Scene read_scene(const AskedScene& asked, Diagnostics& diagnostics) {
+    Scene scene = parse_scene(asked.name, diagnostics, {"."}, nullptr, asked.text, asked.frame);
+    if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
+    diagnostics.throw_if_errors(scene.files);
+    return scene;
+}
+
+std::string check_answer(const AskedScene& asked) {
+    Diagnostics diagnostics;
+    const Scene scene = read_scene(asked, diagnostics);
+    const PixelSize size = scene.image ? scene.image->size.value_or(PixelSize{}) : PixelSize{};
+    const SceneView view = view_of(scene, size, diagnostics);
+    diagnostics.throw_if_errors(scene.files);
+    return checked_json(scene, view, diagnostics.warnings_text(scene.files));
+}
+
+std::string inspect_answer(const AskedScene& asked) {
+    Diagnostics diagnostics;
+    const Scene scene = read_scene(asked, diagnostics);
+    std::size_t maps = 0;
+    for (const IfsBlock& ifs : scene.ifs) maps += ifs.maps.size();
+    if (maps > asked_maps)
+        throw Error(ErrorKind::failed,
+                    fmt::format("the studio inspects scenes of up to {} maps; pxm inspect has no "
+                                "such limit",
+                                asked_maps));
+    const Inspection found = inspect(scene, asked.name, diagnostics);
+    diagnostics.throw_if_errors(scene.files);
+    return inspect_json(found);
+}
+
+std::string pick_answer(const AskedPixel& asked, int threads) {
+    RenderRequest request = request_of(asked.picture, threads);
+    request.overrides.samples = 1;
+    const Scene scene = scene_of(request);
+    const auto picked = pick_cell(compiled_scene_of(request), asked.x, asked.y);
+    if (!picked) return picked_json(std::nullopt);
+    const std::vector<ObjectBlock> objects = objects_of(scene);
+    const ObjectBlock& object = objects[static_cast<std::size_t>(picked->object)];
+    PickedPlace place{object.name, object.ifs.value_or(""), {}, picked->distance, {}};
+    if (object.ifs) {
+        const auto ifs = std::ranges::find(scene.ifs, *object.ifs, &IfsBlock::name);
+        for (const int map : picked->word) {
+            const std::string& name = ifs->maps[static_cast<std::size_t>(map)].name;
+            place.word.push_back(name.empty() ? std::to_string(map + 1) : name);
+        }
+        place.point = decimal_texts(exact_point(scene, object, picked->word));
+    }
+    return picked_json(place);
+}
+
+HttpAnswer answer_of(std::string json) { return {200, json_type, std::move(json)}; }
+
+/// The errors of the house as answers. They are no failures of HTTP: a scene that is being written
+/// is wrong most of the time.
+template <class Work>
+HttpAnswer guarded(const Work& work) {
+    try {
+        return work();
+    } catch (const Error& error) {
+        return answer_of(error_json(error));
+    } catch (const std::bad_alloc&) {
+        return answer_of(error_json({ErrorKind::failed, "out of memory"}));
+    } catch (const std::exception& error) {
+        return answer_of(error_json({ErrorKind::failed, error.what()}));
+    }
+}
+
+}  // namespace
+
+class Studio::Desk {
+  public:
+    explicit Desk(const StudioSettings& settings)
+        : settings_(settings),
+          folder_(settings.folder),
+          server_(std::make_unique<HttpServer>(settings.port)),
+          gate_(server_->port()) {
+        if (!settings.scene.empty()) (void)folder_.open(settings.scene);
+        answers_ = {{"GET /api/start", [this](const HttpRequest&) { return start(); }},
+                    {"GET /api/alive", [this](const HttpRequest& r) { return alive(r); }},
+                    {"POST /api/leave", [this](const HttpRequest& r) { return leave(r); }},
+                    {"POST /api/open", [this](const HttpRequest& r) { return open(r); }},
+                    {"POST /api/save", [this](const HttpRequest& r) { return save(r); }},
+                    {"POST /api/check", [this](const HttpRequest& r) { return check(r); }},
+                    {"POST /api/inspect", [this](const HttpRequest& r) { return inspect(r); }},
+                    {"POST /api/picture", [this](const HttpRequest& r) { return picture(r); }},
+                    {"POST /api/png", [this](const HttpRequest& r) { return png(r); }},
+                    {"POST /api/pick", [this](const HttpRequest& r) { return pick(r); }},
+                    {"POST /api/pixel", [this](const HttpRequest& r) { return pixel(r); }}};
+        server_->start({[this](const HttpRequest& r) { return gate_.refusal(r); },
+                        [this](const HttpRequest& r) { return answer(r); }});
+    }
+    Desk(const Desk&) = delete;
+    Desk& operator=(const Desk&) = delete;
+    ~Desk() {
+        turns_.close();
+        server_.reset();
+    }
+
+    [[nodiscard]] const Gate& gate() const { return gate_; }
+    [[nodiscard]] const Presence& presence() const { return presence_; }
+
+  private:
+    HttpAnswer answer(const HttpRequest& request) {
+        HttpAnswer answer = guarded([&] { return route(request); });
+        for (HttpField& field : guarding_fields()) answer.fields.push_back(std::move(field));
+        return answer;
+    }
+
+    HttpAnswer route(const HttpRequest& request) {
+        const auto found = answers_.find(request.method + " " + request.path);
+        if (found != answers_.end()) return found->second(request);
+        const bool page = request.path == "/";
+        const std::string_view name =
+            page ? std::string_view("index.html") : std::string_view(request.path).substr(1);
+        const Asset* asset = request.method == "GET" ? find_asset(page_assets(), name) : nullptr;
+        if (asset == nullptr) return {404, "text/plain; charset=utf-8", "there is no such page\n"};
+        HttpAnswer answer{200, std::string(media_type(name)), std::string(asset->bytes)};
+        if (page && gate_.enters(request)) answer.fields.push_back(gate_.cookie());
+        return answer;
+    }
+
+    HttpAnswer start() {
+        return answer_of(start_json(
+            {folder_.path(), settings_.scene, folder_.scenes(), settings_.threads, grace_seconds}));
+    }
+
+    HttpAnswer alive(const HttpRequest& request) {
+        const std::string view = query_value(request.query, "view");
+        if (view.empty() || presence_.pages() >= most_pages)
+            throw Error(ErrorKind::failed, "too many pages are open");
+        HttpAnswer answer{200, "text/event-stream"};
+        answer.held = presence_.enter([this, view] { turns_.leave(view); });
+        return answer;
+    }
+
+    HttpAnswer leave(const HttpRequest& request) {
+        turns_.leave(asked_view(request.body));
+        return answer_of("{}");
+    }
+
+    HttpAnswer open(const HttpRequest& request) {
+        return answer_of(opened_json(folder_.open(asked_file(request.body).name)));
+    }
+
+    HttpAnswer save(const HttpRequest& request) {
+        const AskedFile asked = asked_file(request.body);
+        const std::lock_guard lock(saving_);
+        const Saved saved = folder_.save(asked.name, asked.text, asked.seen);
+        const bool done = saved == Saved::done;
+        return answer_of(saved_json(saved, done ? folder_.open(asked.name).digest : ""));
+    }
+
+    /// Waits for the turn, works, and says so if something newer has come.
+    template <class Work>
+    HttpAnswer in_turn(const Asking& asking, const Work& work) {
+        auto turn = turns_.take(asking.view, asking.serial);
+        if (!turn) return answer_of(superseded_json());
+        return work(turn->stop());
+    }
+
+    HttpAnswer check(const HttpRequest& request) {
+        const AskedScene asked = asked_scene(request.body);
+        return in_turn(asked.asking, [&](const auto&) { return answer_of(check_answer(asked)); });
+    }
+
+    HttpAnswer inspect(const HttpRequest& request) {
+        const AskedScene asked = asked_scene(request.body);
+        return in_turn(asked.asking, [&](const auto&) { return answer_of(inspect_answer(asked)); });
+    }
+
+    /// What is made of a picture that was not stopped.
+    template <class Make>
+    HttpAnswer rendered(const HttpRequest& request, const Make& make) {
+        const AskedPicture asked = asked_picture(request.body);
+        return in_turn(asked.scene.asking, [&](std::atomic<bool>& stop) {
+            const RenderResult result = render_asked(asked, settings_.threads, stop);
+            return result.stopped ? answer_of(superseded_json()) : make(result);
+        });
+    }
+
+    HttpAnswer picture(const HttpRequest& request) {
+        return rendered(request, [](const RenderResult& result) {
+            return HttpAnswer{200, "application/octet-stream",
+                              picture_bytes(picture_json(result), result)};
+        });
+    }
+
+    HttpAnswer png(const HttpRequest& request) {
+        return rendered(request, [](const RenderResult& result) {
+            return HttpAnswer{200, "image/png", png_bytes(result.frame)};
+        });
+    }
+
+    HttpAnswer pick(const HttpRequest& request) {
+        const AskedPixel asked = asked_pixel(request.body);
+        return in_turn(asked.picture.scene.asking, [&](const auto&) {
+            return answer_of(pick_answer(asked, settings_.threads));
+        });
+    }
+
+    HttpAnswer pixel(const HttpRequest& request) {
+        const AskedPixel asked = asked_pixel(request.body);
+        return in_turn(asked.picture.scene.asking, [&](const auto&) {
+            const RenderRequest wanted = request_of(asked.picture, settings_.threads);
+            return answer_of(text_json(explain_pixel(wanted, asked.x, asked.y)));
+        });
+    }
+
+    StudioSettings settings_;
+    SceneFolder folder_;
+    Turns turns_{computing_at_once};
+    Presence presence_;
+    std::mutex saving_;
+    std::map<std::string, std::function<HttpAnswer(const HttpRequest&)>> answers_;
+    std::unique_ptr<HttpServer> server_;
+    Gate gate_;
+};
+
+Studio::Studio(const StudioSettings& settings) : desk_(std::make_unique<Desk>(settings)) {}
+
+Studio::~Studio() = default;
+
+std::string Studio::address() const { return desk_->gate().address(); }
+
+std::string Studio::address_for_once() const { return desk_->gate().address_for_once(); }
+
+bool Studio::is_deserted() const { return desk_->presence().seconds_alone() > grace_seconds; }
+
+}  // namespace pxm::host

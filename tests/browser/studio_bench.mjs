@@ -1,0 +1,68 @@
+// node studio_bench.mjs PXM SCENE: see bench/studio.
+import { execFileSync } from 'node:child_process';
+import { cpSync, readFileSync } from 'node:fs';
+import { loadavg, cpus } from 'node:os';
+import { join, resolve } from 'node:path';
+import { openPage, settled, startBrowser, startStudio } from './studio.mjs';
+
+const [program, scene] = process.argv.slice(2).map(p => resolve(p));
+const turns = 40, crowd = 2000;
+const median = list => [...list].sort((a, b) => a - b)[Math.floor(list.length / 2)];
+const memory = pid => Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/status`, 'utf8'))[1]) / 1024;
+
+const { browser, context } = await startBrowser({ viewport: { width: 1704, height: 900 } });
+const studio = await startStudio(program, folder => cpSync(scene, join(folder, 'scene.pxm')));
+try {
+  const { page } = await openPage(context, studio.address, '#scene=scene.pxm&tab=text');
+  // The stage is as large as the picture is to be, whatever stands around it.
+  await page.evaluate(() => { const s = document.getElementById('stage'); s.style.flex = 'none'; s.style.width = '1280px'; s.style.height = '720px'; document.getElementById('samples').value = '1'; });
+  await page.waitForFunction(() => studio.live.size.columns === 1280 && studio.live.size.rows === 720);
+  await settled(page);
+
+  const small = [], ratios = [];
+  for (let i = 0; i < turns; ++i) {
+    await page.evaluate(() => { studio.timings.length = 0; });
+    await page.focus('#handles');
+    await page.keyboard.press(i % 8 < 4 ? 'ArrowRight' : 'ArrowUp');
+    await settled(page);
+    const { timings, command } = await page.evaluate(async () => ({ timings: studio.timings, command: (await import('/command.js')).commandOf(studio.finished()) }));
+    small.push(timings.find(t => t.phase === 'coarse').since);
+    const whole = timings.find(t => t.phase === 'whole').took;
+    if (i % 4 !== 0) continue;
+    execFileSync('/bin/sh', ['-c', `${command.replace(/^pxm/, '"$PXM"')} --stats stats.json --quiet`], { cwd: studio.folder, env: { ...process.env, PXM: program } });
+    ratios.push(whole / 1000 / JSON.parse(readFileSync(join(studio.folder, 'stats.json'), 'utf8')).seconds.render);
+  }
+
+  const overtaken = await page.evaluate(async () => {
+    const server = await import('/server.js');
+    const times = [];
+    for (let i = 0; i < 20; ++i) {
+      const slow = server.picture({ ...studio.finished(), samples: 64 }).catch(() => null);
+      await new Promise(done => setTimeout(done, 60));
+      const begin = performance.now();
+      await server.picture({ ...studio.finished(), columns: 8, rows: 8, samples: 1 });
+      times.push(performance.now() - begin);
+      await slow;
+    }
+    return times;
+  });
+
+  const before = memory(studio.child.pid);
+  await page.evaluate(async count => {
+    for (let i = 0; i < count; ++i) {
+      const { orbited } = await import('/camera.js');
+      studio.setCamera(orbited(studio.camera, 0.01, 0), 'bench');
+      if (i % 20 === 0) await new Promise(done => setTimeout(done, 10));
+    }
+  }, crowd);
+  await settled(page);
+
+  console.log(`${cpus().length} processors, load ${loadavg()[0].toFixed(1)}`);
+  console.log(`small picture after a turn, median: ${median(small).toFixed(0)} ms`);
+  console.log(`whole picture over the render phase of pxm render, median: ${median(ratios).toFixed(2)}`);
+  console.log(`a picture that is overtaken makes room, median: ${median(overtaken).toFixed(0)} ms`);
+  console.log(`memory of the program before and after ${crowd} turns: ${before.toFixed(0)} and ${memory(studio.child.pid).toFixed(0)} MB`);
+} finally {
+  await browser.close();
+  await studio.stop();
+}

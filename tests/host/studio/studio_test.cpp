@@ -1,0 +1,312 @@
+// The laws of host/studio/studio.hpp and http_server.hpp over real sockets: what an attacker sends
+// is refused, bounded or hung up on, and the page goes on.
+#include "host/studio/studio.hpp"
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "host/error.hpp"
+#include "host/studio/http_server.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/folder.hpp"
+
+namespace pxm::host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// A connection to the loopback address; closed with it.
+class Line {
+  public:
+    explicit Line(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+        const timeval patience{20, 0};
+        setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+        setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
+        sockaddr_in place{};
+        place.sin_family = AF_INET;
+        place.sin_port = htons(static_cast<std::uint16_t>(port));
+        place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        connected_ =
+            ::connect(socket_, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0;
+    }
+    Line(const Line&) = delete;
+    Line& operator=(const Line&) = delete;
+    ~Line() { ::close(socket_); }
+
+    [[nodiscard]] bool connected() const { return connected_; }
+    /// False once the other side has hung up.
+    bool say(const std::string& text) const {
+        return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) ==
+               static_cast<ssize_t>(text.size());
+    }
+    /// What comes until the other side hangs up, or until it holds `until`.
+    [[nodiscard]] std::string hear(const std::string& until = "") const {
+        std::string heard;
+        char buffer[4096];
+        while (until.empty() || heard.find(until) == std::string::npos) {
+            const ssize_t count = ::recv(socket_, buffer, sizeof buffer, 0);
+            if (count <= 0) break;
+            heard.append(buffer, static_cast<std::size_t>(count));
+        }
+        return heard;
+    }
+
+  private:
+    int socket_;
+    bool connected_ = false;
+};
+
+class StudioTest : public testing::Test {
+  protected:
+    StudioTest() {
+        folder_.write("a.pxm", test::tetra_scene);
+        outside_.write("secret.pxm", "the secret");
+        StudioSettings settings;
+        settings.folder = folder_.path();
+        studio_ = std::make_unique<Studio>(settings);
+        const std::string address = studio_->address();
+        const std::size_t mark = address.find("/?token=");
+        host_ = address.substr(7, mark - 7);
+        token_ = address.substr(mark + 8);
+        port_ = std::stoi(host_.substr(host_.find(':') + 1));
+    }
+
+    [[nodiscard]] std::string head(const std::string& first, std::size_t length) const {
+        return first + " HTTP/1.1\r\nHost: " + host_ + "\r\nOrigin: http://" + host_ +
+               "\r\nContent-Type: application/json\r\nCookie: pxm_studio_" + std::to_string(port_) +
+               "=" + token_ + "\r\nContent-Length: " + std::to_string(length) +
+               "\r\nConnection: close\r\n\r\n";
+    }
+    /// The whole answer.
+    [[nodiscard]] std::string ask(const std::string& first, const std::string& body = "") const {
+        const Line line(port_);
+        line.say(head(first, body.size()) + body);
+        return line.hear();
+    }
+    [[nodiscard]] Json answer(const std::string& first, const Json& question) const {
+        const std::string heard = ask(first, question.dump());
+        return Json::parse(heard.substr(heard.find("\r\n\r\n") + 4), nullptr, false);
+    }
+    [[nodiscard]] Json scene(const std::string& text) {
+        return {{"view", "test-a"}, {"serial", ++serial_}, {"name", "a.pxm"}, {"text", text}};
+    }
+    [[nodiscard]] Json picture(const std::string& text, long side) {
+        Json json = scene(text);
+        json.update({{"columns", side}, {"rows", side}, {"samples", 1}, {"machine", ""}});
+        return json;
+    }
+    void expect_alive() const { EXPECT_THAT(ask("GET /api/start"), StartsWith("HTTP/1.1 200 OK")); }
+
+    test::Folder folder_;
+    test::Folder outside_;
+    std::unique_ptr<Studio> studio_;
+    std::string host_;
+    std::string token_;
+    int port_ = 0;
+    int serial_ = 0;
+};
+
+TEST_F(StudioTest, gives_its_page_to_who_has_the_address) {
+    const Line line(port_);
+    line.say("GET /?token=" + token_ + " HTTP/1.1\r\nHost: " + host_ +
+             "\r\nConnection: close\r\n\r\n");
+    const std::string page = line.hear();
+    EXPECT_THAT(page, StartsWith("HTTP/1.1 200 OK"));
+    EXPECT_THAT(page, HasSubstr("Set-Cookie: pxm_studio_"));
+    EXPECT_THAT(page, HasSubstr("<!doctype html>"));
+    EXPECT_THAT(page, HasSubstr("Content-Security-Policy: default-src 'none'"));
+    EXPECT_THAT(page, Not(HasSubstr("unsafe")));
+    EXPECT_THAT(ask("GET /studio.js"), HasSubstr("text/javascript"));
+    EXPECT_THAT(ask("GET /gone.js"), StartsWith("HTTP/1.1 404"));
+    EXPECT_THAT(ask("GET /../studio.hpp"), StartsWith("HTTP/1.1 404"));
+}
+
+TEST_F(StudioTest, says_nothing_to_strangers) {
+    for (const char* first : {"GET / HTTP/1.1", "GET /api/start HTTP/1.1",
+                              "POST /api/picture HTTP/1.1", "GET /studio.js HTTP/1.1"}) {
+        const Line line(port_);
+        line.say(std::string(first) + "\r\nHost: " + host_ + "\r\nOrigin: http://" + host_ +
+                 "\r\nContent-Type: application/json\r\nConnection: close\r\n\r\n");
+        const std::string heard = line.hear();
+        EXPECT_THAT(heard, StartsWith("HTTP/1.1 401")) << first;
+        EXPECT_THAT(heard, Not(HasSubstr("pxm_studio_"))) << first;
+        EXPECT_THAT(heard, Not(HasSubstr("Access-Control"))) << first;
+    }
+}
+
+TEST_F(StudioTest, checks_inspects_and_renders) {
+    const Json checked = answer("POST /api/check", scene(test::tetra_scene));
+    EXPECT_EQ(checked["ifs"][0]["maps"].size(), 4U);
+    EXPECT_EQ(checked["ifs"][0]["maps"][0]["matrix"].size(), 12U);
+    const Json facts = answer("POST /api/inspect", scene(test::tetra_scene));
+    EXPECT_NEAR(facts["ifs"].front()["contractivity"].get<double>(), 0.5, 1e-9);
+    EXPECT_THAT(ask("POST /api/picture", picture(test::tetra_scene, 16).dump()),
+                HasSubstr("application/octet-stream"));
+    EXPECT_THAT(ask("POST /api/png", picture(test::tetra_scene, 16).dump()),
+                HasSubstr("image/png"));
+    Json pixel = picture(test::tetra_scene, 64);
+    pixel.update({{"x", 32}, {"y", 32}});
+    const Json picked = answer("POST /api/pick", pixel);
+    EXPECT_EQ(picked["cell"]["point"].size(), 3U);
+    EXPECT_FALSE(picked["cell"]["word"].empty());
+    pixel["serial"] = ++serial_;
+    EXPECT_THAT(answer("POST /api/pixel", pixel)["text"].get<std::string>(), HasSubstr("shows"));
+}
+
+TEST_F(StudioTest, says_where_a_scene_is_wrong) {
+    const Json wrong = answer("POST /api/check", scene("ifs a {\n  newmap scale: <b>\n}"));
+    EXPECT_EQ(wrong["error"]["kind"], "scene");
+    EXPECT_EQ(wrong["error"]["mistakes"][0]["line"], 2);
+    const Json growing = answer("POST /api/check", scene("ifs a { newmap scale: 2 }"));
+    EXPECT_EQ(growing["error"]["kind"], "scene");
+    EXPECT_FALSE(growing["error"]["mistakes"].empty());
+}
+
+TEST_F(StudioTest, opens_and_saves_below_its_folder_alone) {
+    EXPECT_EQ(answer("POST /api/open", {{"name", "a.pxm"}})["text"], test::tetra_scene);
+    for (const std::string& name :
+         {std::string("../a.pxm"), outside_.path("secret.pxm"), std::string("/etc/passwd")}) {
+        EXPECT_THAT(ask("POST /api/open", Json{{"name", name}}.dump()),
+                    Not(HasSubstr("the secret")));
+        EXPECT_TRUE(answer("POST /api/save", {{"name", name}, {"text", "x"}, {"seen", ""}})
+                        .contains("error"))
+            << name;
+    }
+    const Json saved = answer("POST /api/save", {{"name", "b.pxm"}, {"text", "b"}, {"seen", ""}});
+    EXPECT_EQ(saved["saved"], true);
+    EXPECT_EQ(folder_.read("b.pxm"), "b");
+    EXPECT_EQ(answer("POST /api/save", {{"name", "b.pxm"}, {"text", "c"}, {"seen", ""}})["saved"],
+              false);
+    EXPECT_EQ(folder_.read("b.pxm"), "b");
+    EXPECT_EQ(outside_.read("secret.pxm"), "the secret");
+}
+
+TEST_F(StudioTest, refuses_bodies_beyond_its_limit_without_reading_them) {
+    const Line line(port_);
+    line.say(head("POST /api/check", std::size_t{1} << 30U));
+    EXPECT_THAT(line.hear(), StartsWith("HTTP/1.1 413"));
+    // Without a length, piece by piece.
+    const Line pieces(port_);
+    std::string first = head("POST /api/check", 0);
+    first.replace(first.find("Content-Length: 0"), 17, "Transfer-Encoding: chunked");
+    pieces.say(first);
+    const std::string piece = "10000\r\n" + std::string(0x10000, ' ') + "\r\n";
+    for (int i = 0; i < 64; ++i)
+        if (!pieces.say(piece)) break;
+    const std::string heard = pieces.hear();
+    EXPECT_TRUE(heard.empty() || heard.starts_with("HTTP/1.1 413")) << heard.substr(0, 80);
+    expect_alive();
+}
+
+TEST_F(StudioTest, refuses_heads_beyond_its_limit) {
+    const Line line(port_);
+    line.say("GET / HTTP/1.1\r\nHost: " + host_ + "\r\nX: " + std::string(100'000, 'x'));
+    const std::string heard = line.hear();
+    EXPECT_TRUE(heard.empty() || heard.starts_with("HTTP/1.1 431")) << heard.substr(0, 80);
+    const Line many(port_);
+    std::string fields = "GET / HTTP/1.1\r\n";
+    for (int i = 0; i < 10'000; ++i) fields += "a: b\r\n";
+    many.say(fields + "\r\n");
+    const std::string refusal = many.hear();
+    EXPECT_TRUE(refusal.empty() || refusal.starts_with("HTTP/1.1 431")) << refusal.substr(0, 80);
+    expect_alive();
+}
+
+TEST_F(StudioTest, refuses_what_is_no_request) {
+    for (const std::string& noise : {std::string("\x16\x03\x01\x02"), std::string("GET\r\n\r\n"),
+                                     std::string("\r\n\r\n\r\n\r\n"), std::string(1000, '\0'),
+                                     std::string("GET / HTTP/9.9\r\n\r\n")}) {
+        const Line line(port_);
+        line.say(noise + "\r\n\r\n");
+        const std::string heard = line.hear();
+        EXPECT_TRUE(heard.empty() || heard.starts_with("HTTP/1.1 4")) << heard.substr(0, 80);
+    }
+    expect_alive();
+}
+
+TEST_F(StudioTest, gives_up_a_picture_when_a_newer_one_is_wanted) {
+    // Two million samples: minutes, unless it is stopped.
+    Json slow = picture(test::tetra_scene, 2048);
+    slow["samples"] = 64;
+    const Line first(port_);
+    first.say(head("POST /api/picture", slow.dump().size()) + slow.dump());
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_THAT(ask("POST /api/picture", picture(test::tetra_scene, 8).dump()),
+                HasSubstr("octet-stream"));
+    EXPECT_THAT(first.hear(), HasSubstr("superseded"));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+}
+
+TEST_F(StudioTest, ends_while_a_picture_is_rendered) {
+    Json slow = picture(test::tetra_scene, 2048);
+    slow["samples"] = 64;
+    const Line first(port_);
+    first.say(head("POST /api/picture", slow.dump().size()) + slow.dump());
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    const auto begin = std::chrono::steady_clock::now();
+    studio_.reset();
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+}
+
+TEST_F(StudioTest, bears_many_connections_and_many_requests) {
+    std::vector<std::unique_ptr<Line>> idle;
+    for (int i = 0; i < 200; ++i) idle.push_back(std::make_unique<Line>(port_));
+    idle.clear();
+    const Line line(port_);
+    const std::string one = "GET /studio.js HTTP/1.1\r\nHost: " + host_ + "\r\n\r\n";
+    int refused = 0;
+    for (int i = 0; i < 3000; ++i) {
+        line.say(one);
+        if (line.hear("\r\n\r\n").empty()) break;
+        ++refused;
+    }
+    EXPECT_EQ(refused, 3000) << "one connection may ask again and again, and is refused each time";
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    expect_alive();
+}
+
+TEST_F(StudioTest, knows_when_it_is_deserted) {
+    EXPECT_FALSE(studio_->is_deserted());
+    {
+        const Line page(port_);
+        page.say(head("GET /api/alive?view=test", 0));
+        EXPECT_THAT(page.hear("\r\n\r\n"), HasSubstr("text/event-stream"));
+    }
+    EXPECT_FALSE(studio_->is_deserted()) << "it stays for the grace time";
+}
+
+TEST(Studio, opens_no_scene_that_is_not_there) {
+    const test::Folder folder;
+    StudioSettings settings;
+    settings.folder = folder.path();
+    settings.scene = "gone.pxm";
+    EXPECT_THROW(Studio{settings}, Error);
+    settings.folder = folder.path("gone");
+    settings.scene = "";
+    EXPECT_THROW(Studio{settings}, Error);
+}
+
+TEST(HttpServer, takes_no_port_that_is_taken) {
+    const HttpServer first(0);
+    EXPECT_THROW(HttpServer{first.port()}, Error);
+}
+
+}  // namespace
+}  // namespace pxm::host
