@@ -44,6 +44,7 @@ const Rule library_rules[] = {
     {R"(#include\s*<nlohmann/)", "host/(.*json[^/]*|output/.*|commands/.*|study/.*)",
      "nlohmann-json"},
     {R"(#include\s*<Eigen/)", "host/(math|fractal|import)/.*", "Eigen"},
+    {R"(#include\s*<pugixml\.hpp>)", "host/import/flame/flame_xml\\.cpp", "pugixml"},
     {R"(#include\s*<omp\.h>)", "host/engine/(tiles|threads)\\..pp", "OpenMP"},
     {R"(#include\s*<hwy/)", "host/wide/.*", "Highway"},
     {R"(#include\s*<boost/multiprecision/)",
@@ -277,6 +278,7 @@ TEST(Architecture, an_outside_library_is_known_to_one_place) {
         {"CLI/CLI.hpp", "host/commands/options.cpp"},
         {"nlohmann/json.hpp", "host/output/statistics_json.cpp"},
         {"Eigen/SVD", "host/math/lipschitz.cpp"},
+        {"pugixml.hpp", "host/import/flame/flame_xml.cpp"},
         {"omp.h", "host/engine/tiles.hpp"},
         {"boost/multiprecision/cpp_bin_float.hpp", "host/math/precise.cpp"},
         {"hwy/highway.h", "host/wide/search/packet_search.cpp"}};
