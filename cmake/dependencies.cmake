@@ -24,6 +24,7 @@ needs(Eigen libeigen3-dev Eigen3 NO_MODULE)   # eigenvalues, singular values
 needs(CLI11 libcli11-dev CLI11)               # the command line
 needs(fmt libfmt-dev fmt)                     # text
 needs(nlohmann-json nlohmann-json3-dev nlohmann_json)  # statistics
+needs(pugixml libpugixml-dev pugixml)         # the XML of flames (host/import/flame/)
 needs(Boost.Multiprecision libboost-dev Boost)         # the eye's place in 77 digits, headers only
 list(APPEND PXM_LIBRARIES Boost.Beast)                 # the studio's server, headers only
 

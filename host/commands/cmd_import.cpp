@@ -1,4 +1,4 @@
-// `pxm import FILE [-o SCENE]`: an L-system, a FRACTINT entry, an image or points as a scene.
+// `pxm import FILE [-o SCENE]`: what other programs made, an image or points as a scene.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -53,7 +53,10 @@ ExitCode import(const ImportArguments& arguments) {
     const std::string out = arguments.out.empty() ? imported.name + ".pxm" : arguments.out;
     if (arguments.out.empty()) require_scene_place(arguments, out);
     write_text_safely(out, imported.text);
-    tell(fmt::format("{}: {} maps\n", printable_path(out), imported.scene.ifs[0].maps.size()));
+    const Scene& scene = imported.scene;
+    tell(scene.ifs.empty()
+             ? fmt::format("{}: {} objects\n", printable_path(out), scene.objects.size())
+             : fmt::format("{}: {} maps\n", printable_path(out), scene.ifs[0].maps.size()));
     return ExitCode::done;
 }
 
@@ -62,18 +65,25 @@ ExitCode import(const ImportArguments& arguments) {
 AddedCommand add_import_command(CommandLine& line) {
     const auto a = std::make_shared<ImportArguments>();
     CommandOptions command = line.add_command(
-        "import", "Turn a FRACTINT .ifs or .l entry, an image or a list of points into a scene");
+        "import", "Turn another program's fractal, an image or a list of points into a scene");
     command
-        .add_option("file", a->request.path,
-                    "A FRACTINT file (.ifs, .l), points (.xy, .txt), or an image")
+        .add_option(
+            "file", a->request.path,
+            "Of FRACTINT (.ifs, .l), flam3 (.flame), IFStile (.aifs), Structure Synth (.es) or "
+            "IFSRenderer (.ifsjson); points (.xy, .txt); or an image")
         .required();
     command.add_option("-o,--out", a->out,
                        "The scene; - is the standard output; default: the entry's name + .pxm");
     command.add_flag("--force", a->force, "Replace a scene of the entry's name that is there");
-    command.add_option("--entry", a->entry, "The entry of a FRACTINT file that has several");
+    command.add_option("--entry", a->entry,
+                       "The entry of a file that has several: its name, or #3");
+    command.add_flag("--affine-part", a->request.affine_part,
+                     "Of a flame: leave out the variations that are not linear");
     command.add_option("--maps", a->request.maps, "Maps to find for an image or points; default 4")
         .transform(whole_number(1, most_moment_maps));
-    command.add_option("--seed", a->request.seed, "Of the search for them; default 1")
+    command
+        .add_option("--seed", a->request.seed,
+                    "Of the search for them, and of the rules of .es that are drawn; default 1")
         .transform(any_whole_number());
     command.add_option("--seconds", a->request.seconds, "Time for the search; default 20")
         .transform(number_within(0, 86400));

@@ -3,21 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
-#include "host/compile/compile.hpp"
 #include "host/error.hpp"
 #include "host/files/image_format.hpp"
 #include "host/files/image_reader.hpp"
 #include "host/files/regular_file.hpp"
+#include "host/import/aifs/aifs_scene.hpp"
+#include "host/import/eisenscript/eisen_scene.hpp"
+#include "host/import/entries.hpp"
+#include "host/import/flame/flame.hpp"
 #include "host/import/fractint/fractint_ifs.hpp"
 #include "host/import/fractint/fractint_l.hpp"
+#include "host/import/ifsrenderer/ifsjson.hpp"
 #include "host/import/imported_scene.hpp"
 #include "host/import/moments/moment_search.hpp"
 #include "host/import/moments/picture.hpp"
-#include "host/scene/check/check.hpp"
-#include "host/scene/parse/parser.hpp"
 #include "host/text/printable.hpp"
 
 namespace pxm::host {
@@ -25,64 +28,13 @@ namespace {
 
 constexpr std::size_t longest_name = 200;
 
+/// The entry asked for.
 template <class Entry>
-std::string entry_names(const std::vector<Entry>& list) {
-    constexpr std::size_t shown = 500;
-    std::string names;
-    for (std::size_t i = 0; i < std::min(list.size(), shown); ++i)
-        names += "\n  " + printable(list[i].entry.name, longest_name);
-    if (list.size() > shown) names += fmt::format("\n  ... and {} more", list.size() - shown);
-    return names;
-}
-
-/// The entry asked for; by its exact name if there is one, else whatever its case.
-template <class Entry>
-Entry& choose_entry(std::vector<Entry>& list, const std::string& file,
-                    const std::optional<std::string>& wanted) {
-    if (list.empty())
-        throw Error(ErrorKind::scene, fmt::format("{}: no entries", printable(file, longest_name)));
-    if (!wanted) {
-        if (list.size() == 1) return list.front();
-        throw Error(ErrorKind::setting,
-                    fmt::format("{} has {} entries; choose one with --entry NAME:{}",
-                                printable(file, longest_name), list.size(), entry_names(list)));
-    }
-    for (Entry& e : list)
-        if (e.entry.name == *wanted) return e;
-    for (Entry& e : list)
-        if (same_word(e.entry.name, *wanted)) return e;
-    throw Error(ErrorKind::setting,
-                fmt::format("{} has no entry \"{}\"; it has:{}", printable(file, longest_name),
-                            printable(*wanted), entry_names(list)));
-}
-
-std::string file_name(const std::string& path) {
-    return printable(std::filesystem::path(path).filename().string(), longest_name);
-}
-
-std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
-
-/// What is written can be read again and compiled: numbers that only overflow on the way there are
-/// found here, and not by whoever renders the scene.
-void require_valid(const Imported& imported) {
-    Diagnostics diagnostics;
-    const std::string name = imported.name + ".pxm";
-    const Scene scene = parse_text(name, imported.text, diagnostics);
-    if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
-    if (!diagnostics.has_errors()) (void)compile(scene, 1, diagnostics);
-    if (!diagnostics.has_errors()) return;
-    throw Error(ErrorKind::scene,
-                fmt::format("\"{}\" has no scene that pxm takes:\n{}", printable(imported.name),
-                            diagnostics.text(scene.files)));
-}
-
-Imported finished(Scene scene, const std::string& heading) {
-    Imported imported;
-    imported.name = scene.ifs[0].name;
-    imported.text = imported_text(scene, heading + "\nimported by pxm " PXM_VERSION);
-    require_valid(imported);
-    imported.scene = std::move(scene);
-    return imported;
+Entry& chosen(std::vector<Entry>& list, const std::string& file,
+              const std::optional<std::string>& wanted) {
+    std::vector<std::string> names;
+    for (const Entry& e : list) names.push_back(e.entry.name);
+    return list[choose_entry(names, file, wanted)];
 }
 
 Imported import_ifs(const SourceFile& source, const std::optional<std::string>& wanted) {
@@ -90,8 +42,8 @@ Imported import_ifs(const SourceFile& source, const std::optional<std::string>& 
     auto list = parse_fractint_ifs(source.text, diagnostics);
     diagnostics.throw_if_errors({source});
     for (FractintIfs& bare : list)
-        if (bare.entry.name.empty()) bare.entry.name = stem_of(source.name);
-    const FractintIfs& ifs = choose_entry(list, source.name, wanted);
+        if (bare.entry.name.empty()) bare.entry.name = bare_name(source.name);
+    const FractintIfs& ifs = chosen(list, source.name, wanted);
     ifs.entry.diagnostics.throw_if_errors({source});
     Scene scene = imported_scene(fractint_maps(ifs), ifs.entry.name,
                                  ifs.flat ? Space::plane : Space::solid, source);
@@ -105,7 +57,7 @@ Imported import_l(const SourceFile& source, const std::optional<std::string>& wa
     Diagnostics diagnostics;
     auto list = parse_fractint_l(source.text, diagnostics);
     diagnostics.throw_if_errors({source});
-    FractintL& l = choose_entry(list, source.name, wanted);
+    FractintL& l = chosen(list, source.name, wanted);
     l.entry.diagnostics.throw_if_errors({source});
     const Lsystem lsystem = lsystem_of(l);
     l.entry.diagnostics.throw_if_errors({source});
@@ -158,7 +110,7 @@ Imported import_picture(const ImportRequest& request, const Picture& picture) {
         result.maps.size(), result.order, result.restarts, request.seed,
         result.out_of_time ? ", stopped by its time" : "", result.residual, result.collage_distance,
         result.bound, result.size, result.cell);
-    const std::string name = stem_of(request.path);
+    const std::string name = bare_name(request.path);
     Scene scene = imported_scene(block_of(result), name, Space::plane, {request.path, ""});
     Imported imported = finished(std::move(scene), fmt::format("{}: {}\n{}", scene_name(name),
                                                                file_name(request.path), found));
@@ -175,11 +127,12 @@ void require_picture(const std::string& path, const std::string& extension) {
                     fmt::format("{} is a scene already: pxm render {}", name, name));
     const RegularFile file(path);
     if (!found_format(file.read(0, image_head_bytes)).name.empty()) return;
-    throw Error(
-        ErrorKind::scene,
-        fmt::format("{} is no format that pxm imports: FRACTINT's .ifs and .l, points (.xy, "
-                    ".txt), or a picture (PNG, JPEG, OpenEXR, TIFF, PNM)",
-                    name));
+    throw Error(ErrorKind::scene,
+                fmt::format("{} is no format that pxm imports: FRACTINT's .ifs and .l, flames "
+                            "(.flame), IFStile's .aifs, EisenScript (.es), IFSRenderer's "
+                            ".ifsjson, points (.xy, .txt), or a "
+                            "picture (PNG, JPEG, OpenEXR, TIFF, PNM)",
+                            name));
 }
 
 }  // namespace
@@ -192,9 +145,22 @@ Imported import_fractint(const SourceFile& source, FractintFormat format,
 Imported import_file(const ImportRequest& request) {
     const std::string& path = request.path;
     const std::string extension = std::filesystem::path(path).extension().string();
-    const bool fractint = same_word(extension, ".ifs") || same_word(extension, ".l");
-    if (!fractint && request.entry)
-        throw Error(ErrorKind::setting, "--entry: only FRACTINT's .ifs and .l have entries");
+    const bool has_entries =
+        std::ranges::any_of(std::array{".ifs", ".l", ".flame", ".flam3", ".aifs"},
+                            [&](const char* known) { return same_word(extension, known); });
+    if (!has_entries && request.entry)
+        throw Error(ErrorKind::setting, "--entry: only .ifs, .l, .flame and .aifs have entries");
+    const bool flame = same_word(extension, ".flame") || same_word(extension, ".flam3");
+    if (!flame && request.affine_part)
+        throw Error(ErrorKind::setting, "--affine-part: only a .flame has other variations");
+    if (flame)
+        return import_flame({path, read_file(path)},
+                            {request.entry, request.affine_part ? Variations::affine_part
+                                                                : Variations::linear_only});
+    if (same_word(extension, ".aifs")) return import_aifs({path, read_file(path)}, request.entry);
+    if (same_word(extension, ".es"))
+        return import_eisenscript({path, read_file(path)}, request.seed);
+    if (same_word(extension, ".ifsjson")) return import_ifsjson({path, read_file(path)});
     if (same_word(extension, ".ifs"))
         return import_fractint({path, read_file(path)}, FractintFormat::ifs, request.entry);
     if (same_word(extension, ".l"))

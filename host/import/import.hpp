@@ -12,8 +12,9 @@
 namespace pxm::host {
 
 struct ImportRequest {
-    std::string path;  // by extension: .ifs, .l, .xy or .txt (points), else an image
-    std::optional<std::string> entry;  // of a FRACTINT file; absent: its only one
+    std::string path;                  // by extension (docs/import.md); else an image
+    std::optional<std::string> entry;  // of a file that holds several; absent: its only one
+    bool affine_part = false;          // of a flame: leave out what is not linear
     int maps = 4;                      // of an image or of points; and the search's seed and time
     std::uint64_t seed = 1;
     double seconds = 20;
@@ -21,7 +22,7 @@ struct ImportRequest {
 };
 
 struct Imported {
-    std::string name;  // of the ifs
+    std::string name;  // of the ifs, or of the first object of a scene without one
     Scene scene;
     std::string text;      // the scene's, with a heading
     std::string messages;  // for the user, empty if there are none

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
-#include "host/math/lipschitz.hpp"
+#include "host/import/plane_map.hpp"
 #include "host/scene/check/limits.hpp"
 #include "host/text/printable.hpp"
 
@@ -15,7 +14,6 @@ namespace {
 
 constexpr std::size_t flat_numbers = 7;      // a b c d e f p
 constexpr std::size_t spatial_numbers = 13;  // 3x3, translation, p
-constexpr double point_thickness = 0.5;      // z scale of a map that squashes the plane to a point
 
 std::size_t numbers_with_weight(const FractintIfs& ifs) {
     return ifs.flat ? flat_numbers : spatial_numbers;
@@ -140,17 +138,8 @@ void check(FractintIfs& ifs) {
     }
 }
 
-/// The numbers are a column-vector map; row i of the thesis' matrix is its column i.
 Affine flat_map(std::span<const double> n) {
-    Affine map;
-    map.linear[0] = {n[0], n[2], 0};
-    map.linear[1] = {n[1], n[3], 0};
-    map.linear[2] = {0, 0, 0};
-    map.translation = {n[4], n[5], 0};
-    const double thickness = std::sqrt(std::abs(n[0] * n[3] - n[1] * n[2]));
-    const double stretch = lipschitz_constant(map);
-    map.linear[2][2] = thickness > 0 ? thickness : stretch > 0 ? stretch : point_thickness;
-    return map;
+    return plane_map({n[0], n[1], n[2], n[3], n[4], n[5]});
 }
 
 /// FRACTINT's axes are ours: x to the right, y up, z away from the viewer, whose eye is at the

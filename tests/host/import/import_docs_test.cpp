@@ -1,8 +1,12 @@
-// Every example of docs/import.md (fenced as ```ifs or ```l) imports, entry by entry.
+// Every example of docs/import.md (fenced as ```ifs, ```l, ```flame, ```aifs or ```es) imports,
+// entry by entry.
 #include <gtest/gtest.h>
 
 #include <sstream>
 
+#include "host/import/aifs/aifs_scene.hpp"
+#include "host/import/eisenscript/eisen_scene.hpp"
+#include "host/import/flame/flame.hpp"
 #include "host/import/fractint/fractint_ifs.hpp"
 #include "host/import/fractint/fractint_l.hpp"
 #include "host/import/import.hpp"
@@ -51,6 +55,19 @@ TEST(ImportDocs, every_example_is_imported) {
     EXPECT_FALSE(diagnostics.has_errors());
     EXPECT_EQ(ifs, 1);
     EXPECT_EQ(l, 3);
+}
+
+TEST(ImportDocs, examples_of_other_programs_are_imported) {
+    ASSERT_EQ(examples("flame").size(), 1U);
+    EXPECT_EQ(import_flame({"docs", examples("flame")[0]}, {}).scene.ifs[0].maps.size(), 3U);
+    ASSERT_EQ(examples("aifs").size(), 1U);
+    EXPECT_EQ(import_aifs({"docs", examples("aifs")[0]}, "Koch curve").scene.ifs[0].maps.size(),
+              4U);
+    EXPECT_EQ(
+        import_aifs({"docs", examples("aifs")[0]}, "Robinson triangles").scene.ifs[0].maps.size(),
+        5U);
+    ASSERT_EQ(examples("es").size(), 1U);
+    EXPECT_GT(import_eisenscript({"docs", examples("es")[0]}, 1).scene.ifs[0].maps.size(), 40U);
 }
 
 }  // namespace

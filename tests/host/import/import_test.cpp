@@ -134,8 +134,10 @@ TEST(Import, what_is_none_of_its_formats_is_told_them) {
     };
     const std::string readme = pxm::test::source_dir + "/README.md";
     EXPECT_EQ(refusal(readme), readme +
-                                   " is no format that pxm imports: FRACTINT's .ifs and .l, points "
-                                   "(.xy, .txt), or a picture (PNG, JPEG, OpenEXR, TIFF, PNM)");
+                                   " is no format that pxm imports: FRACTINT's .ifs and .l, flames "
+                                   "(.flame), IFStile's .aifs, EisenScript (.es), "
+                                   "IFSRenderer's .ifsjson, points (.xy, .txt), or a picture (PNG, "
+                                   "JPEG, OpenEXR, TIFF, PNM)");
     const std::string scene = pxm::test::source_dir + "/scenes/tetra.pxm";
     EXPECT_EQ(refusal(scene), scene + " is a scene already: pxm render " + scene);
 }
