@@ -10,6 +10,7 @@
 #include "host/fractal/bounds/affine_hull.hpp"
 #include "host/fractal/bounds/inner_points.hpp"
 #include "host/fractal/system/rifs.hpp"
+#include "host/process/granted_threads.hpp"
 #include "host/scene/default_objects.hpp"
 
 namespace pxm::host {
@@ -112,7 +113,7 @@ std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnost
     facts.open_set =
         decide_open_set(plain, bounds, as_given ? MapNumbers::given : MapNumbers::computed);
     facts.dimensions = dimensions(plain, facts.open_set.condition);
-    facts.dimensions.box_counting = count_boxes(plain, bounds);
+    facts.dimensions.box_counting = count_boxes(plain, bounds, granted_threads().threads);
     facts.disconnected = decide_disconnected(plain, bounds, facts.dimensions.upper);
     add_topology(facts.dimensions, facts.disconnected.totally_disconnected);
     return facts;

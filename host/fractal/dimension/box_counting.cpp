@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -10,6 +11,7 @@
 
 #include "host/fractal/dimension/box_population.hpp"
 #include "host/fractal/system/growth.hpp"
+#include "host/process/in_threads.hpp"
 
 namespace pxm::host {
 
@@ -130,19 +132,21 @@ Plan plan_for(const ZoomSystem& system, const std::vector<double>& sides) {
     return plan;
 }
 
-void measure(const ZoomSystem& system, double size, BoxCounting& result) {
+void measure(const ZoomSystem& system, double size, int threads, BoxCounting& result) {
     const std::vector<double> sides = sides_for(size);
-    Plan plan = plan_for(system, sides);
+    const Plan plan = plan_for(system, sides);
     result.method = "not measured: more cells than the limit allows to look at";
     if (plan.places == 0) return;
-    Counts counts;
-    for (std::size_t p = 0; p < populations; ++p) {
+    Counts counts(populations);
+    const std::atomic<bool> never = false;
+    in_threads(threads, populations, never, [&](std::size_t p) {
         BoxPopulation population(system, plan.places, p + 2);
-        counts.push_back(counts_of(population, sides, plan.scales));
-        plan.scales = std::min(plan.scales, counts.back().size());
-    }
-    if (plan.scales < fewest_scales) return;
-    for (std::vector<double>& boxes : counts) boxes.resize(plan.scales);
+        counts[p] = counts_of(population, sides, plan.scales);
+    });
+    std::size_t scales = plan.scales;  // that all populations have
+    for (const std::vector<double>& boxes : counts) scales = std::min(scales, boxes.size());
+    if (scales < fewest_scales) return;
+    for (std::vector<double>& boxes : counts) boxes.resize(scales);
     fit(counts, system.similitudes, result);
     result.points = static_cast<long>(populations * plan.places);
     if (result.error > no_range) {
@@ -158,7 +162,7 @@ void measure(const ZoomSystem& system, double size, BoxCounting& result) {
 
 }  // namespace
 
-BoxCounting count_boxes(const Rifs& rifs, const std::vector<Bounds>& bounds) {
+BoxCounting count_boxes(const Rifs& rifs, const std::vector<Bounds>& bounds, int threads) {
     const Box& box = bounds[rifs.start].box;
     const glm::dvec3 extent = box.high - box.low;
     const double size = std::max({extent.x, extent.y, extent.z});
@@ -175,7 +179,7 @@ BoxCounting count_boxes(const Rifs& rifs, const std::vector<Bounds>& bounds) {
                                        : "the attractor is made of single points";
         return result;
     }
-    measure(ZoomSystem(rifs, bounds), size, result);
+    measure(ZoomSystem(rifs, bounds), size, threads, result);
     return result;
 }
 

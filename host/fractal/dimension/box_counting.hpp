@@ -26,7 +26,9 @@ struct BoxCounting {
     std::string method;               // what was done, or what kept from measuring
 };
 
-/// Of what may stand at the start. The same system gives the same result. `bounds` as from bound().
-[[nodiscard]] BoxCounting count_boxes(const Rifs& rifs, const std::vector<Bounds>& bounds);
+/// Of what may stand at the start. The same system gives the same result, by any number of threads.
+/// `bounds` as from bound().
+[[nodiscard]] BoxCounting count_boxes(const Rifs& rifs, const std::vector<Bounds>& bounds,
+                                      int threads = 1);
 
 }  // namespace pxm::host
