@@ -21,6 +21,13 @@
 namespace pxm::host {
 namespace {
 
+/// A reference to a map by its number, from 1.
+MapReference map_numbered(std::size_t number) {
+    MapReference reference;
+    reference.map = static_cast<long>(number);
+    return reference;
+}
+
 constexpr std::size_t corners = 8;
 constexpr std::size_t most_edges = maps_an_ifs - corners;
 constexpr std::size_t most_spheres = 2'000;  // each is an object of its own
@@ -80,12 +87,12 @@ class EisenWriter {
             for (const EisenEdge& edge : graph_.nodes[i].edges) {
                 if (!leads_to_box(edge)) continue;
                 edges.push_back(&edge);
-                maps[i].push_back({static_cast<long>(edges.size()), {}});
+                maps[i].push_back(map_numbered(edges.size()));
             }
         }
         std::vector<MapReference> corner_maps;
         for (std::size_t k = 0; k < corners; ++k)
-            corner_maps.push_back({static_cast<long>(edges.size() + k + 1), {}});
+            corner_maps.push_back(map_numbered(edges.size() + k + 1));
         std::size_t rules = corners * corners;
         for (const EisenEdge* edge : edges) {
             MapBlock map;
@@ -96,8 +103,9 @@ class EisenWriter {
                 map.color = {rgb.x, rgb.y, rgb.z, 1};
             }
             block.maps.push_back(std::move(map));
-            block.follow.push_back(
-                {{static_cast<long>(block.maps.size()), {}}, box ? corner_maps : maps[edge->node]});
+            FollowRule rule{map_numbered(block.maps.size()), {}};
+            rule.followers = box ? corner_maps : maps[edge->node];
+            block.follow.push_back(std::move(rule));
             rules += block.follow.back().followers.size();
             if (rules > maps_a_scene)
                 throw Error(ErrorKind::scene,
@@ -110,7 +118,9 @@ class EisenWriter {
             map.commands = {{ScaleCommand{glm::dvec3(0.5)}, {}},
                             {TranslateCommand{{half(k), half(k / 2), 0 - half(k / 4)}}, {}}};
             block.maps.push_back(std::move(map));
-            block.follow.push_back({corner_maps[k], corner_maps});
+            FollowRule rule{corner_maps[k], {}};
+            rule.followers = corner_maps;
+            block.follow.push_back(std::move(rule));
         }
         block.start = maps[0];
         return block;
