@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include "host/compile/compile.hpp"
 #include "host/error.hpp"
@@ -18,6 +19,7 @@
 #include "host/import/moments/picture.hpp"
 #include "host/scene/check/check.hpp"
 #include "host/scene/parse/parser.hpp"
+#include "host/text/nearest.hpp"
 #include "host/text/printable.hpp"
 
 namespace pxm::host {
@@ -51,9 +53,12 @@ Entry& choose_entry(std::vector<Entry>& list, const std::string& file,
         if (e.entry.name == *wanted) return e;
     for (Entry& e : list)
         if (same_word(e.entry.name, *wanted)) return e;
+    std::vector<std::string_view> names;
+    for (const Entry& e : list) names.push_back(e.entry.name);
     throw Error(ErrorKind::setting,
-                fmt::format("{} has no entry \"{}\"; it has:{}", printable(file, longest_name),
-                            printable(*wanted), entry_names(list)));
+                fmt::format("{} has no entry \"{}\"{}; it has:{}", printable(file, longest_name),
+                            printable(*wanted), printable(suggestion(*wanted, names), longest_name),
+                            entry_names(list)));
 }
 
 std::string file_name(const std::string& path) {
@@ -182,7 +187,24 @@ void require_picture(const std::string& path, const std::string& extension) {
                     name));
 }
 
+template <class Entry>
+std::vector<std::string> names_of(const std::vector<Entry>& list) {
+    std::vector<std::string> names;
+    for (const Entry& e : list)
+        if (!e.entry.name.empty()) names.push_back(e.entry.name);
+    return names;
+}
+
 }  // namespace
+
+std::vector<std::string> fractint_entries(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    Diagnostics diagnostics;
+    if (same_word(extension, ".ifs"))
+        return names_of(parse_fractint_ifs(read_file(path), diagnostics));
+    if (same_word(extension, ".l")) return names_of(parse_fractint_l(read_file(path), diagnostics));
+    return {};
+}
 
 Imported import_fractint(const SourceFile& source, FractintFormat format,
                          const std::optional<std::string>& entry) {
