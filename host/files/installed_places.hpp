@@ -1,4 +1,4 @@
-// Where the files lie that come with the program: the module with OpenImageIO and the scenes. They
+// Where the files lie that come with the program: the modules with libraries for pictures, and the scenes. They
 // are found from the program's own place, so that an installed tree may be moved as a whole.
 #pragma once
 
