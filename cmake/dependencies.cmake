@@ -9,6 +9,7 @@ macro(needs name package find)
         missing(${name} ${package})
     endif()
     list(APPEND PXM_LIBRARIES ${name})
+    list(APPEND PXM_LIBRARY_PACKAGES ${find})
 endmacro()
 
 function(missing name package)

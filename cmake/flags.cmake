@@ -2,9 +2,12 @@
 # no contraction of a*b+c into one rounding, no fast-math, no -march of the machine at hand.
 add_library(pxm_flags INTERFACE)
 target_compile_options(pxm_flags INTERFACE
-    -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off
-    $<$<BOOL:${PXM_WARNINGS_AS_ERRORS}>:-Werror>)
-target_include_directories(pxm_flags INTERFACE ${PROJECT_SOURCE_DIR})
+    $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wconversion> $<BUILD_INTERFACE:-Wshadow>
+    -ffp-contract=off
+    $<BUILD_INTERFACE:$<$<BOOL:${PXM_WARNINGS_AS_ERRORS}>:-Werror>>)
+target_compile_features(pxm_flags INTERFACE cxx_std_20)
+target_include_directories(pxm_flags INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${PXM_INSTALL_HEADERS}>)
 if(PXM_SANITIZE)
     target_compile_options(pxm_flags INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

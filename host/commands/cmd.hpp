@@ -16,7 +16,7 @@ struct AddedCommand {
     CommandOptions command;
     CommandAction action;
 };
-/// Adds every command, in the order of the help.
+/// Adds every command, in the order of the help, and says what their options take.
 [[nodiscard]] std::vector<AddedCommand> add_commands(CommandLine& line);
 
 /// `pxm render SCENE [-o OUT]`.
@@ -41,5 +41,9 @@ struct AddedCommand {
 [[nodiscard]] AddedCommand add_models_command(CommandLine& line);
 /// `pxm asm FILE... [-o OBJECT]`.
 [[nodiscard]] AddedCommand add_asm_command(CommandLine& line);
+/// `pxm completion SHELL`.
+[[nodiscard]] AddedCommand add_completion_command(CommandLine& line);
+/// `pxm manual PAGE TEXT`, hidden. The line must outlive it.
+[[nodiscard]] AddedCommand add_manual_command(CommandLine& line);
 
 }  // namespace pxm::host

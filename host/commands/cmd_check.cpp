@@ -71,7 +71,10 @@ AddedCommand add_check_command(CommandLine& line) {
     command.add_flag("--werror", a->werror, "Warnings count as errors");
     command.add_flag("--format", a->format,
                      "Print the scene formatted, with its comments, on the standard output");
-    return {command, [a] { return check(*a); }};
+    return {command, [a] {
+                for (std::string& scene : a->scenes) find_scene_by_name(scene, a->allowed);
+                return check(*a);
+            }};
 }
 
 }  // namespace pxm::host

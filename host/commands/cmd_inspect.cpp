@@ -73,7 +73,10 @@ AddedCommand add_inspect_command(CommandLine& line) {
     command.add_option("-o,--out", a->out, "Write to this file; default: the standard output")
         .check(some_text());
     add_allow_option(command, a->allowed);
-    return {command, [a] { return inspect_scene(*a); }};
+    return {command, [a] {
+                find_scene_by_name(a->scene, a->allowed);
+                return inspect_scene(*a);
+            }};
 }
 
 }  // namespace pxm::host

@@ -265,7 +265,10 @@ AddedCommand add_points_command(CommandLine& line) {
     add_set_option(command, a->set);
     add_allow_option(command, a->allowed);
     command.add_flag("--quiet", a->quiet, "No progress bar");
-    return {command, [a] { return run_points(*a); }};
+    return {command, [a] {
+                find_scene_by_name(a->scene, a->allowed);
+                return run_points(*a);
+            }};
 }
 
 }  // namespace pxm::host

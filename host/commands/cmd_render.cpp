@@ -359,7 +359,10 @@ AddedCommand add_render_command(CommandLine& line) {
     command.add_flag("--quiet", a->quiet, "No progress bar, no summary");
     add_allow_option(command, a->allowed);
     command.check_all(some_text());
-    return {command, [a] { return render_command(*a); }};
+    return {command, [a] {
+                find_scene_by_name(a->scene, a->allowed);
+                return render_command(*a);
+            }};
 }
 
 }  // namespace pxm::host

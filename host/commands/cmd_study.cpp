@@ -10,6 +10,7 @@
 #include "host/process/interrupt.hpp"
 #include "host/render/render_options.hpp"
 #include "host/study/study.hpp"
+#include "host/text/nearest.hpp"
 
 namespace pxm::host {
 
@@ -31,9 +32,10 @@ ExitCode study(const StudyArguments& a) {
                                                  {"shading", StudyKind::shading}};
     const auto kind = kinds.find(a.kind);
     if (kind == kinds.end()) {
-        throw Error(
-            ErrorKind::setting,
-            "study: found \"" + a.kind + "\", expected one of balance, error, stability, shading");
+        throw Error(ErrorKind::setting,
+                    "study: found \"" + a.kind +
+                        "\", expected one of balance, error, stability, shading" +
+                        suggestion(a.kind, {"balance", "error", "stability", "shading"}));
     }
     request.kind = kind->second;
     if (!a.size.empty()) request.size = parse_size(a.size);
@@ -75,7 +77,11 @@ AddedCommand add_study_command(CommandLine& line) {
     command.add_flag("--fresh", a->request.fresh, "Measure again what is there already");
     command.add_flag("--quiet", a->request.quiet, "No progress");
     add_allow_option(command, a->request.allowed);
-    return {command, [a] { return study(*a); }};
+    return {command, [a] {
+                for (std::string& scene : a->request.scenes)
+                    find_scene_by_name(scene, a->request.allowed);
+                return study(*a);
+            }};
 }
 
 }  // namespace pxm::host

@@ -10,6 +10,7 @@
 #include "host/output/film.hpp"
 #include "host/output/frame_list.hpp"
 #include "host/output/pixel_values.hpp"
+#include "host/text/nearest.hpp"
 #include "host/text/printable.hpp"
 
 namespace pxm::host {
@@ -39,11 +40,11 @@ class StandardOutput : public FrameStream {
 RawFormat raw_format_of(const std::string& format) {
     if (format == "y4m") return RawFormat::y4m;
     if (format == "ppm") return RawFormat::ppm;
-    throw Error(
-        ErrorKind::setting,
-        format.empty()
-            ? "-o -: say what goes to the standard output, --format y4m or --format ppm"
-            : fmt::format("--format: found \"{}\", expected y4m or ppm", printable(format, 100)));
+    throw Error(ErrorKind::setting,
+                format.empty()
+                    ? "-o -: say what goes to the standard output, --format y4m or --format ppm"
+                    : fmt::format("--format: found \"{}\", expected y4m or ppm{}",
+                                  printable(format, 100), suggestion(format, {"y4m", "ppm"})));
 }
 
 }  // namespace

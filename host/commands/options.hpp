@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "host/commands/command_facts.hpp"
 #include "host/commands/option_checks.hpp"
+#include "host/commands/option_values.hpp"
 
 namespace CLI {
 class App;
@@ -46,6 +48,8 @@ class CommandOptions {
     Option add_flag(const std::string& names, bool& value, const std::string& what);
     /// Of every option that takes a value.
     void check_all(const OptionCheck& check);
+    /// It is not spoken of.
+    void hide();
     /// Whether the command line gave this command.
     [[nodiscard]] bool given() const;
     [[nodiscard]] CLI::App& app() const { return *app_; }
@@ -77,6 +81,10 @@ class CommandLine {
     CommandLine& operator=(const CommandLine&) = delete;
 
     [[nodiscard]] CommandOptions add_command(const std::string& name, const std::string& what);
+    /// Says what options take, where their numbers do not say it.
+    void name_values(const std::vector<ValueName>& names);
+    /// Of all commands that are not hidden; the program itself first.
+    [[nodiscard]] std::vector<CommandFacts> facts() const;
     /// Puts the values where the options want them. The text to print instead if it asks for help
     /// or the version. Throws Error for what it cannot be read as.
     [[nodiscard]] std::optional<std::string> read(int argc, const char* const* argv);

@@ -1,7 +1,10 @@
 #include "host/commands/shared_options.hpp"
 
+#include <optional>
+
 #include "host/commands/option_checks.hpp"
 #include "host/process/granted_threads.hpp"
+#include "host/scene/scene_path.hpp"
 
 namespace pxm::host {
 
@@ -27,6 +30,13 @@ void add_allow_option(CommandOptions& command, std::vector<std::string>& folders
                     "their own folder only. May be given again")
         .one_value()  // what follows DIR is another argument
         .check(some_text());
+}
+
+void find_scene_by_name(std::string& scene, std::vector<std::string>& folders) {
+    const std::optional<FoundScene> found = find_scene(scene);
+    if (!found) return;
+    scene = found->path;
+    if (!found->folder.empty()) folders.push_back(found->folder);
 }
 
 }  // namespace pxm::host

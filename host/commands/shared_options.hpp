@@ -18,4 +18,8 @@ void add_set_option(CommandOptions& command, std::vector<std::string>& texts);
 /// (files/allowed_folders.hpp).
 void add_allow_option(CommandOptions& command, std::vector<std::string>& folders);
 
+/// Puts the path of the file in place of a scene's name, and allows what lies in the folder of the
+/// scene path where it was found (scene/scene_path.hpp). What is not found stays as it is written.
+void find_scene_by_name(std::string& scene, std::vector<std::string>& folders);
+
 }  // namespace pxm::host

@@ -59,6 +59,12 @@ AllowedFolders::AllowedFolders(const std::string& scene_path,
     }
 }
 
+void AllowedFolders::allow(const std::string& folder) {
+    std::error_code failed;
+    const fs::path place = fs::canonical(folder, failed);
+    if (!failed && !folders_.empty()) folders_.push_back(start_of(place));
+}
+
 std::string AllowedFolders::resolved(const std::string& path) const {
     if (folders_.empty()) return path;
     std::error_code failed;

@@ -16,6 +16,9 @@ class AllowedFolders {
     /// one of `allowed` is not a folder.
     AllowedFolders(const std::string& scene_path, const std::vector<std::string>& allowed);
 
+    /// Files below this folder, too, if it is one. Everywhere stays everywhere.
+    void allow(const std::string& folder);
+
     /// The file's path with its links followed. Throws Error(ErrorKind::file) if that is outside;
     /// the message says how to allow it, and not whether there is such a file.
     [[nodiscard]] std::string resolved(const std::string& path) const;

@@ -7,9 +7,10 @@
 #include <filesystem>
 #include <future>
 #include <mutex>
-#include <vector>
+#include <string>
 
 #include "host/error.hpp"
+#include "host/files/installed_places.hpp"
 #include "host/files/picture_module.hpp"
 
 namespace pxm::host {
@@ -18,20 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the module may lie: beside the program, as it is built and installed, or where it was
-/// built, for programs elsewhere that use pxm as a library.
-std::vector<fs::path> module_places(const char* name) {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    std::vector<fs::path> places;
-    if (!error) places.push_back(program.parent_path().parent_path() / "lib/pxm" / name);
-    places.push_back(fs::path(PXM_MODULE_FOLDER) / name);
-    return places;
-}
-
 PictureLibrary* load(const char* name, const char* function, const char* library) {
     std::string why;
-    for (const fs::path& place : module_places(name)) {
+    for (const fs::path& folder : module_folders()) {
+        const fs::path place = folder / name;
         // Lazy: of the many thousand functions that it brings, a picture calls few.
         void* module = dlopen(place.c_str(), RTLD_LAZY | RTLD_LOCAL);
         void* make = module ? dlsym(module, function) : nullptr;

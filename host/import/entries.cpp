@@ -14,6 +14,7 @@
 #include "host/import/imported_scene.hpp"
 #include "host/scene/check/check.hpp"
 #include "host/scene/parse/parser.hpp"
+#include "host/text/nearest.hpp"
 #include "host/text/printable.hpp"
 
 namespace pxm::host {
@@ -69,9 +70,12 @@ std::size_t choose_entry(const std::vector<std::string>& names, const std::strin
     for (std::size_t i = 0; i < names.size(); ++i)
         if (same_word(names[i], *wanted)) return i;
     if (const auto place = place_of(*wanted); place && *place < names.size()) return *place;
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
     throw Error(ErrorKind::setting,
-                fmt::format("{} has no entry \"{}\"; it has:{}", printable(file, longest_name),
-                            printable(*wanted), listed(names)));
+                fmt::format("{} has no entry \"{}\"{}; it has:{}", printable(file, longest_name),
+                            printable(*wanted),
+                            printable(suggestion(*wanted, candidates), longest_name),
+                            listed(names)));
 }
 
 std::string file_name(const std::string& path) {

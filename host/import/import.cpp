@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include "host/error.hpp"
 #include "host/files/image_format.hpp"
@@ -135,7 +136,24 @@ void require_picture(const std::string& path, const std::string& extension) {
                             name));
 }
 
+template <class Entry>
+std::vector<std::string> names_of(const std::vector<Entry>& list) {
+    std::vector<std::string> names;
+    for (const Entry& e : list)
+        if (!e.entry.name.empty()) names.push_back(e.entry.name);
+    return names;
+}
+
 }  // namespace
+
+std::vector<std::string> fractint_entries(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    Diagnostics diagnostics;
+    if (same_word(extension, ".ifs"))
+        return names_of(parse_fractint_ifs(read_file(path), diagnostics));
+    if (same_word(extension, ".l")) return names_of(parse_fractint_l(read_file(path), diagnostics));
+    return {};
+}
 
 Imported import_fractint(const SourceFile& source, FractintFormat format,
                          const std::optional<std::string>& entry) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/scene/scene.hpp"
 
@@ -36,5 +37,9 @@ struct Imported {
 enum class FractintFormat { ifs, l };
 [[nodiscard]] Imported import_fractint(const SourceFile& source, FractintFormat format,
                                        const std::optional<std::string>& entry);
+
+/// The names of the entries that can be asked for; none if the file is not FRACTINT's. Throws Error
+/// as import_file.
+[[nodiscard]] std::vector<std::string> fractint_entries(const std::string& path);
 
 }  // namespace pxm::host

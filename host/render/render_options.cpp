@@ -8,16 +8,17 @@
 
 #include "host/error.hpp"
 #include "host/scene/words.hpp"
+#include "host/text/nearest.hpp"
 #include "host/text/number_text.hpp"
 
 namespace pxm::host {
 
 namespace {
 
-[[noreturn]] void refuse(const char* option, const std::string& found,
-                         const std::string& expected) {
+[[noreturn]] void refuse(const char* option, const std::string& found, const std::string& expected,
+                         const std::string& hint = "") {
     throw Error(ErrorKind::setting,
-                fmt::format("{}: found \"{}\", expected {}", option, found, expected));
+                fmt::format("{}: found \"{}\", expected {}{}", option, found, expected, hint));
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -51,7 +52,8 @@ auto parse_word(const char* option, const Words& words, const std::string& text)
     if (const auto value = value_of(words, text)) return *value;
     std::vector<std::string_view> expected;
     for (const auto& word : words) expected.push_back(word.text);
-    refuse(option, text, fmt::format("one of {}", fmt::join(expected, ", ")));
+    refuse(option, text, fmt::format("one of {}", fmt::join(expected, ", ")),
+           suggestion(text, expected));
 }
 
 }  // namespace
@@ -88,7 +90,8 @@ CoversChoice parse_covers(const std::string& text) {
         const auto high = number_of_text<double>(parts[1]);
         if (low && high && *low > 0 && *high > *low) return Covers{*low, *high};
     }
-    refuse("--covers", text, "on, off, area, or tmin,tmax in pixels with 0 < tmin < tmax");
+    refuse("--covers", text, "on, off, area, or tmin,tmax in pixels with 0 < tmin < tmax",
+           suggestion(text, {"on", "off", "area"}));
 }
 
 std::vector<Aov> parse_aovs(const std::string& text) {
@@ -97,9 +100,11 @@ std::vector<Aov> parse_aovs(const std::string& text) {
         const auto found =
             std::ranges::find_if(all_aovs(), [&](Aov aov) { return name == aov_name(aov); });
         if (found == all_aovs().end()) {
-            std::string expected;
-            for (const Aov aov : all_aovs()) expected += fmt::format(" {}", aov_name(aov));
-            refuse("--aov", name, fmt::format("names out of{}, separated by commas", expected));
+            std::vector<std::string_view> expected;
+            for (const Aov aov : all_aovs()) expected.push_back(aov_name(aov));
+            refuse("--aov", name,
+                   fmt::format("names out of {}, separated by commas", fmt::join(expected, " ")),
+                   suggestion(name, expected));
         }
         if (std::ranges::find(aovs, *found) == aovs.end()) aovs.push_back(*found);
     }
@@ -124,9 +129,10 @@ VolumeKind parse_volume(const std::string& text) {
 
 const Model& parse_model(const char* option, const std::string& text) {
     if (const Model* model = find_model(text)) return *model;
-    std::string expected;
-    for (const Model& model : models()) expected += fmt::format(" {}", model.name);
-    refuse(option, text, fmt::format("a model out of{}", expected));
+    std::vector<std::string_view> expected;
+    for (const Model& model : models()) expected.push_back(model.name);
+    refuse(option, text, fmt::format("a model out of {}", fmt::join(expected, " ")),
+           suggestion(text, expected));
 }
 
 }  // namespace pxm::host

@@ -1,11 +1,10 @@
 #include "host/scene/parse/grammar.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <vector>
+
+#include "host/text/nearest.hpp"
 
 namespace pxm::host {
 namespace {
@@ -81,42 +80,9 @@ constexpr std::array<std::string_view, 6> number_words{"pi", "phi", "sqrt", "sin
 constexpr std::array<std::string_view, 6> free_words{"animation", "frames", "rate",
                                                      "shutter",   "zoom",   "blend"};
 
-/// Insertions, deletions, replacements and exchanges of neighbours that turn `a` into `b`.
-int edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::vector<int>> cost(a.size() + 1, std::vector<int>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) {
-        for (std::size_t j = 0; j <= b.size(); ++j) {
-            if (i == 0 || j == 0) {
-                cost[i][j] = static_cast<int>(i + j);
-                continue;
-            }
-            const int replaced = cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-            cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, replaced});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
-        }
-    }
-    return cost[a.size()][b.size()];
-}
-
-std::string suggest(std::string_view word, const std::vector<std::string_view>& candidates) {
-    constexpr std::size_t longest = 32;  // no keyword is near a longer word
-    constexpr int far = 3;
-    if (word.size() > longest) return {};
-    std::string_view nearest;
-    int least = far;
-    for (const std::string_view candidate : candidates) {
-        const int distance = edit_distance(word, candidate);
-        // A short word shares too little with what is two edits away.
-        const bool near = distance <= 1 ? word.size() > 1 : word.size() > 4;
-        if (!near || distance >= least) continue;
-        least = distance;
-        nearest = candidate;
-    }
-    return nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest);
-}
-
 }  // namespace
+
+std::span<const BlockGrammar> all_blocks() { return blocks; }
 
 const BlockGrammar* find_block(std::string_view kind) {
     if (kind == "rifs") kind = "ifs";
@@ -144,13 +110,13 @@ bool is_keyword(std::string_view word) {
 std::string suggest_directive(std::string_view word, const BlockGrammar& block) {
     std::vector<std::string_view> candidates;
     for (const Directive& directive : block.directives) candidates.push_back(directive.word);
-    return suggest(word, candidates);
+    return suggestion(word, candidates);
 }
 
 std::string suggest_block(std::string_view word) {
     std::vector<std::string_view> candidates{"let", "include"};
     for (const BlockGrammar& block : blocks) candidates.push_back(block.kind);
-    return suggest(word, candidates);
+    return suggestion(word, candidates);
 }
 
 std::string directive_list(const BlockGrammar& block) {

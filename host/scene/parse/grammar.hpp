@@ -26,6 +26,9 @@ struct BlockGrammar {
     [[nodiscard]] int find(std::string_view word) const;
 };
 
+/// Every block, in the order of docs/scene-language.md.
+[[nodiscard]] std::span<const BlockGrammar> all_blocks();
+
 /// The block of that kind (`rifs` is an `ifs`), or nullptr.
 [[nodiscard]] const BlockGrammar* find_block(std::string_view kind);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <system_error>
 
 #include "host/error.hpp"
 #include "host/files/allowed_folders.hpp"
@@ -14,6 +15,7 @@
 #include "host/scene/parse/block_parser.hpp"
 #include "host/scene/parse/resolve_blends.hpp"
 #include "host/scene/picture_path.hpp"
+#include "host/scene/scene_path.hpp"
 #include "host/text/printable.hpp"
 
 namespace pxm::host {
@@ -49,8 +51,12 @@ bool begins_as_scene(const std::string& text) {
 class SceneParser {
   public:
     SceneParser(Diagnostics& diagnostics, const FileReader& reader, const LetNumber& let_number,
-                double frame)
-        : diagnostics_(diagnostics), reader_(reader), let_number_(let_number), frame_(frame) {}
+                double frame, const IncludeFinder& find_included)
+        : diagnostics_(diagnostics),
+          reader_(reader),
+          let_number_(let_number),
+          frame_(frame),
+          find_included_(find_included) {}
 
     Scene parse(const std::string& name, const std::string& text) {
         file(fs::path(name).lexically_normal().string(), name, text);
@@ -73,6 +79,7 @@ class SceneParser {
     const FileReader& reader_;
     const LetNumber& let_number_;
     double frame_;
+    const IncludeFinder& find_included_;
     Scene scene_;
     Constants constants_;
     std::vector<std::string> open_files_;  // the file being read and those that include it
@@ -147,11 +154,13 @@ void SceneParser::include(TokenReader& tokens) {
     include_file(tokens, tokens.take());
 }
 
-/// Paths are relative to the including file. A file that was read before is not read again.
+/// Paths are relative to the including file, or to what finds them elsewhere. A file that was read
+/// before is not read again.
 void SceneParser::include_file(TokenReader& tokens, const Token& file_token) {
     const fs::path target(file_token.text);
-    const std::string path =
+    std::string path =
         (fs::path(open_files_.back()).parent_path() / target).lexically_normal().string();
+    if (find_included_) path = find_included_(path, std::string(file_token.text));
     if (std::ranges::find(open_files_, path) != open_files_.end()) {
         tokens.report(file_token.position,
                       fmt::format("\"{}\" includes itself", printable(file_token.text, 400)));
@@ -209,24 +218,43 @@ void refuse_pictures_outside(const Scene& scene, const AllowedFolders& folders,
     }
 }
 
+/// A scene's own file. Of one that is not there, the message says which may have been meant.
+std::string read_scene(const std::string& path) {
+    try {
+        return read_file(path);
+    } catch (const Error& error) {
+        std::error_code failed;
+        if (fs::exists(path, failed)) throw;
+        throw Error(error.kind(), error.what() + suggest_scene(path));
+    }
+}
+
 }  // namespace
 
 Scene parse_scene(const std::string& path, Diagnostics& diagnostics,
                   const std::vector<std::string>& allowed, const LetNumber& let_number,
                   const std::optional<std::string>& text, double frame) {
-    const AllowedFolders folders(path, allowed);
+    AllowedFolders folders(path, allowed);
+    const IncludeFinder find = [&](const std::string& beside, const std::string& written) {
+        std::error_code failed;
+        const auto found = fs::exists(beside, failed) ? std::nullopt : find_included(written);
+        if (!found) return beside;
+        folders.allow(found->folder);
+        return found->path;
+    };
     const FileReader reader = [&](const std::string& included) {
         return read_file(folders.resolved(included), included);
     };
-    Scene scene =
-        parse_text(path, text ? *text : read_file(path), diagnostics, reader, let_number, frame);
+    Scene scene = parse_text(path, text ? *text : read_scene(path), diagnostics, reader, let_number,
+                             frame, find);
     refuse_pictures_outside(scene, folders, diagnostics);
     return scene;
 }
 
 Scene parse_text(const std::string& name, const std::string& text, Diagnostics& diagnostics,
-                 const FileReader& reader, const LetNumber& let_number, double frame) {
-    return SceneParser(diagnostics, reader, let_number, frame).parse(name, text);
+                 const FileReader& reader, const LetNumber& let_number, double frame,
+                 const IncludeFinder& find_included) {
+    return SceneParser(diagnostics, reader, let_number, frame, find_included).parse(name, text);
 }
 
 double time_of(const AnimationBlock& animation, double frame) {

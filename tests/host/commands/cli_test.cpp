@@ -56,12 +56,14 @@ TEST_F(CommandLine, an_unknown_option_is_code_2) {
     refuse({"--frob"}, "The following argument was not expected: --frob" + usage);
     refuse({"tetra.pxm"}, "The following argument was not expected: tetra.pxm" + usage);
     refuse({"--native", "--machine", "964"}, "--native excludes --machine" + usage);
-    refuse({"--machine"}, "--machine: 1 required TEXT missing" + usage);
+    refuse({"--machine"}, "--machine: 1 required 916|920|932|940|964|964dX missing" + usage);
 }
 
 TEST_F(CommandLine, an_unknown_option_value_is_code_2_and_told_what_is_expected) {
-    refuse({"--machine", "965"},
-           "--machine: found \"965\", expected a model out of 916 920 932 940 964 964dX");
+    refuse(
+        {"--machine", "965"},
+        "--machine: found \"965\", expected a model out of 916 920 932 940 964 964dX (did you mean "
+        "'964'?)");
     refuse({"--shading", "phong"},
            "--shading: found \"phong\", expected one of constant, low-pass, high-pass, facet");
     refuse({"--numeric", "half"},

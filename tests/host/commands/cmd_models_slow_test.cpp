@@ -78,7 +78,8 @@ TEST(CmdModels, sends_a_token_round_the_torus) {
 
 TEST(CmdModels, an_unknown_model_is_refused) {
     EXPECT_EQ(run("models --token 965"),
-              "pxm: --token: found \"965\", expected a model out of 916 920 932 940 964 964dX\n"
+              "pxm: --token: found \"965\", expected a model out of 916 920 932 940 964 964dX (did "
+              "you mean '964'?)\n"
               "exit 2");
 }
 

@@ -1,0 +1,41 @@
+// The places are CMake's (host/CMakeLists.txt). Those of the build are empty in a package.
+#include "host/files/installed_places.hpp"
+
+#include <system_error>
+
+namespace pxm::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path& folder_that_was_set() {
+    static fs::path folder;
+    return folder;
+}
+
+/// `from_program` is relative to the folder of the program that runs.
+std::vector<fs::path> places(const fs::path& from_program, const fs::path& built,
+                             const fs::path& installed) {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    std::vector<fs::path> folders;
+    if (!error) folders.push_back((program.parent_path() / from_program).lexically_normal());
+    if (!built.empty()) folders.push_back(built);
+    folders.push_back(installed);
+    return folders;
+}
+
+}  // namespace
+
+std::vector<fs::path> module_folders() {
+    std::vector<fs::path> folders = places(PXM_BIN_TO_MODULES, PXM_BUILT_MODULES, PXM_MODULES);
+    if (!folder_that_was_set().empty()) folders.insert(folders.begin(), folder_that_was_set());
+    return folders;
+}
+
+std::vector<fs::path> data_folders() { return places(PXM_BIN_TO_DATA, PXM_SOURCE_DATA, PXM_DATA); }
+
+void look_for_modules_in(const fs::path& folder) { folder_that_was_set() = folder; }
+
+}  // namespace pxm::host
