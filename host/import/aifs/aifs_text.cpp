@@ -10,7 +10,8 @@
 namespace pxm::host {
 namespace {
 
-constexpr int deepest = 200;  // parentheses and brackets inside one another
+constexpr int deepest = 200;                   // parentheses and brackets inside one another
+constexpr std::size_t most_parts = 2'000'000;  // numbers and names of a file: some 250 MB in memory
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word(char c) {
@@ -81,7 +82,8 @@ struct SyntaxMistake {
 /// Reads expressions; the first mistake is thrown as SyntaxMistake.
 class ExpressionParser {
   public:
-    explicit ExpressionParser(Cursor& cursor) : cursor_(cursor) {}
+    /// `left` is how many numbers and names the file may still have.
+    ExpressionParser(Cursor& cursor, std::size_t& left) : cursor_(cursor), left_(left) {}
 
     AifsExpression unite() {
         return chain(AifsOp::unite, "|", [this] { return sum(); });
@@ -170,6 +172,11 @@ class ExpressionParser {
 
     AifsExpression primary() {
         cursor_.skip();
+        if (left_ == 0)
+            throw SyntaxMistake{
+                cursor_.position(),
+                fmt::format("more than {} numbers and names in a file", most_parts)};
+        --left_;
         AifsExpression value;
         value.position = cursor_.position();
         if (cursor_.peek() == '(') {
@@ -253,6 +260,7 @@ class ExpressionParser {
     };
 
     Cursor& cursor_;
+    std::size_t& left_;
     int depth_ = 0;
 };
 
@@ -272,7 +280,8 @@ std::string with_commas(std::string text) {
 
 class BlockParser {
   public:
-    BlockParser(Cursor& cursor, AifsBlock& block) : cursor_(cursor), block_(block) {}
+    BlockParser(Cursor& cursor, AifsBlock& block, std::size_t& left)
+        : cursor_(cursor), block_(block), left_(left) {}
 
     void read() {
         for (cursor_.skip(); !cursor_.at_end() && cursor_.peek() != '@'; cursor_.skip()) {
@@ -302,10 +311,10 @@ class BlockParser {
             const Position place = cursor_.position();
             const std::string list = with_commas(cursor_.line());
             Cursor inside(list);
-            definition.value = ExpressionParser(inside).unite();
+            definition.value = ExpressionParser(inside, left_).unite();
             move_to(definition.value, place);
         } else {
-            definition.value = ExpressionParser(cursor_).unite();
+            definition.value = ExpressionParser(cursor_, left_).unite();
         }
         block_.definitions.push_back(std::move(definition));
     }
@@ -325,6 +334,7 @@ class BlockParser {
 
     Cursor& cursor_;
     AifsBlock& block_;
+    std::size_t& left_;
 };
 
 /// What begins with @@: lines for the program that reads the file.
@@ -348,6 +358,7 @@ std::string AifsBlock::text_of(std::string_view name) const {
 
 std::vector<AifsBlock> parse_aifs(std::string_view text, Diagnostics& diagnostics) {
     std::vector<AifsBlock> blocks;
+    std::size_t left = most_parts;
     Cursor cursor(text);
     cursor.skip();
     if (!cursor.at_end() && cursor.peek() != '@') {
@@ -368,7 +379,11 @@ std::vector<AifsBlock> parse_aifs(std::string_view text, Diagnostics& diagnostic
         const std::size_t colon = std::min(head.find(':'), head.size());
         block.id = head.substr(0, colon);
         if (colon < head.size()) block.parent = head.substr(colon + 1);
-        BlockParser(cursor, block).read();
+        BlockParser(cursor, block, left).read();
+        if (left == 0 && block.diagnostics.has_errors()) {
+            diagnostics.append(block.diagnostics);
+            return blocks;
+        }
         blocks.push_back(std::move(block));
     }
     return blocks;

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "host/import/eisenscript/eisen_color.hpp"
 #include "host/import/eisenscript/eisen_tokens.hpp"

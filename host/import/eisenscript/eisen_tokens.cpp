@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -94,7 +95,17 @@ class Tokenizer {
         add(text, place, 0);
     }
 
-    void add(const std::string& text, const Position& place, int depth) {
+    /// A defined number may have a sign in front: the program puts in text, not words.
+    [[nodiscard]] std::string with_sign(const std::string& text) const {
+        if (text.size() < 2 || text[0] != '-') return text;
+        const auto found = defines_.find(std::string_view(text).substr(1));
+        if (found == defines_.end() || found->second.size() != 1) return text;
+        const std::string& value = found->second[0];
+        return value[0] == '-' ? value.substr(1) : "-" + value;
+    }
+
+    void add(const std::string& word, const Position& place, int depth) {
+        const std::string text = with_sign(word);
         const auto found = defines_.find(text);
         if (found == defines_.end()) {
             if (tokens_.size() < most_tokens) return tokens_.push_back({text, place});
@@ -116,7 +127,7 @@ class Tokenizer {
     std::size_t place_ = 0;
     Position position_;
     std::vector<EisenToken> tokens_;
-    std::map<std::string, std::vector<std::string>> defines_;
+    std::map<std::string, std::vector<std::string>, std::less<>> defines_;
 };
 
 }  // namespace
