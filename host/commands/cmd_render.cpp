@@ -137,24 +137,34 @@ Metadata metadata_of(const Statistics& s, const RenderArguments& a, const Render
             {"pixel_growth", fmt::format("{:.17g}", result.pixel_growth)}};
 }
 
+/// Whether what is known to be doubtful is told before the first ray, or by whoever collects it.
+enum class Warnings { before, after };
+
 /// The picture's file, from before the first ray on.
 class PictureToFile : public PictureTaker {
   public:
     PictureToFile(const RenderArguments& arguments, const std::string& path,
-                  const std::vector<Aov>& aovs)
-        : arguments_(arguments), path_(path), aovs_(aovs) {}
+                  const std::vector<Aov>& aovs, Warnings warnings)
+        : arguments_(arguments), path_(path), aovs_(aovs), warnings_(warnings) {}
 
     void begin(const RenderResult& known) override {
+        if (warnings_ == Warnings::before) tell(told_ = known.warnings);
         writer_.emplace(path_, known.window, aovs_,
                         metadata_of(known.statistics, arguments_, known));
     }
     void take(const Frame& part) override { writer_->append(part); }
     void finish() { writer_->finish(); }
+    /// Leaves what was not told yet.
+    void take_told(std::string& warnings) const {
+        if (warnings.starts_with(told_)) warnings.erase(0, told_.size());
+    }
 
   private:
     const RenderArguments& arguments_;
     const std::string& path_;
     const std::vector<Aov>& aovs_;
+    Warnings warnings_;
+    std::string told_;
     std::optional<ImageWriter> writer_;
 };
 
@@ -189,11 +199,12 @@ PartsRequest parts_request_of(const RenderArguments& arguments) {
 
 /// Renders one picture into its file; nothing is written if it was stopped.
 RenderResult write_picture(const RenderArguments& arguments, const RenderRequest& request,
-                           const std::string& out, const RunControl& control) {
+                           const std::string& out, const RunControl& control, Warnings warnings) {
     PhaseClock clock;
     const std::vector<Aov> aovs = aovs_of(arguments);
-    PictureToFile picture(arguments, out, aovs);
+    PictureToFile picture(arguments, out, aovs, warnings);
     RenderResult result = render(request, control, &picture);
+    picture.take_told(result.warnings);
     if (result.stopped) return result;
     PhaseClock write_clock;
     picture.finish();
@@ -222,7 +233,7 @@ ExitCode render_picture(const RenderArguments& arguments) {
         RunControl control;
         control.stop = &stop_requested();
         if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
-        result = write_picture(arguments, request, out, control);
+        result = write_picture(arguments, request, out, control, Warnings::before);
     }
     if (result.stopped) return exit_code_of_signal(received_signal());
     tell(result.warnings);
@@ -249,7 +260,7 @@ ExitCode render_film(const RenderArguments& arguments) {
     };
     job.write_picture = [&](const RenderRequest& request, const std::string& out,
                             const RunControl& control) {
-        return write_picture(arguments, request, out, control);
+        return write_picture(arguments, request, out, control, Warnings::after);
     };
     return render_frames(job);
 }

@@ -12,6 +12,7 @@
 #include "dsp_kernels/scene_block.hpp"
 #include "host/compile/extent.hpp"
 #include "host/math/lipschitz.hpp"
+#include "host/node_program/crowded.hpp"
 #include "host/node_program/write_scene_block.hpp"
 #include "pxm/dsp32/float.hpp"
 
@@ -238,6 +239,17 @@ void recount(std::vector<Alarm>& alarms, const Frame& marked) {
             marked.pixels,
             [&](const PixelRecord& pixel) { return (pixel.alarms & bits[i]) != 0; }));
     }
+}
+
+std::string crowd_text(const CompiledScene& scene, Numeric numeric) {
+    const bool covers = needs_covers(scene);
+    if (!has_crowded_objects(scene) || (numeric != Numeric::dsp32 && !covers)) return "";
+    return fmt::format(
+        "warning: cells overlap so much that a ray may open up to {} of them before it is given "
+        "up, once for every word that leads there: {}. That may take minutes; 'levels' or a "
+        "smaller picture take less, and native renders in float or double without covers remember "
+        "them\n",
+        scene.cell_cap, covers ? "with covers every word shows" : "dsp32 remembers no cells");
 }
 
 std::string cap_text(const RayStatistics& rays, std::uint32_t cell_cap) {

@@ -67,6 +67,10 @@ void mark_misses(const AlarmBasis& basis, const AlarmSums& sums, std::span<Pixel
 /// Counts the pixels anew by their marks, each alarm once a pixel.
 void recount(std::vector<Alarm>& alarms, const Frame& marked);
 
+/// The warning, before the first ray, that rays may meet very many cells and be given up: where
+/// cells are crowded and cannot be remembered (docs/overlaps.md). Empty where they are not, or can.
+[[nodiscard]] std::string crowd_text(const CompiledScene& scene, Numeric numeric);
+
 /// The warning about rays that were given up after `cell_cap` cells; empty if there are none.
 [[nodiscard]] std::string cap_text(const RayStatistics& rays, std::uint32_t cell_cap);
 

@@ -30,7 +30,7 @@ RenderResult begin_result(const RenderRequest& request, const Prepared& prepared
                           const EngineChoice& choice, const NodeProgram& program) {
     RenderResult result;
     const CompiledScene& scene = prepared.compiled;
-    result.warnings = prepared.warnings;
+    result.warnings = prepared.warnings + crowd_text(scene, choice.numeric);
     const double coarser = std::sqrt(static_cast<double>(scene.samples.size()));
     result.pixel_at_eye = scene.camera.pixel_at_eye * scene.unit * coarser;
     result.pixel_growth = scene.camera.pixel_growth * coarser;

@@ -139,11 +139,16 @@ void add_margin(Bounds& bounds, const Box& sure, double shortfall_of_ball) {
     Box& box = bounds.box;
     const double sure_radius =
         above(ball.radius + shortfall_of_ball) + room + rounding_of(ball.radius);
-    ball.radius += margin * ball.radius + of_places;
-    ball.radius = std::max(ball.radius, sure_radius);
+    const double with_margin = ball.radius + (margin * ball.radius + of_places);
+    ball.radius = with_margin > sure_radius ? with_margin : sure_radius;
     const glm::dvec3 more = margin * (box.high - box.low) + glm::dvec3{of_places};
-    box.low = glm::min(box.low - more, sure.low - room);
-    box.high = glm::max(box.high + more, sure.high + room);
+    for (int i = 0; i < 3; ++i) {
+        // Written so that a box that double could not hold gives way to the sure one.
+        const double low = box.low[i] - more[i];
+        const double high = box.high[i] + more[i];
+        box.low[i] = low < sure.low[i] - room ? low : sure.low[i] - room;
+        box.high[i] = high > sure.high[i] + room ? high : sure.high[i] + room;
+    }
 }
 
 /// The first boxes are the balls' own, as double has their ends: these are off by a rounding.

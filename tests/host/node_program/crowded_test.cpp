@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "host/compile/shape.hpp"
 #include "host/compiled/bounding_volume.hpp"
 #include "host/node_program/write_scene_block.hpp"
+#include "host/render/alarms.hpp"
 #include "tests/host/fractal/systems.hpp"
 #include "tests/support/compile_text.hpp"
 #include "tests/support/crowds.hpp"
@@ -109,6 +111,17 @@ TEST(KnownCells, steps_are_powers_of_two_not_above_what_was_asked_for) {
     EXPECT_EQ(steps_per_unit(1.99), 1);
     EXPECT_EQ(steps_per_unit(0.3), 4);
     EXPECT_EQ(steps_per_unit(1e-30), std::exp2(100));
+}
+
+TEST(Crowded, cells_that_cannot_be_remembered_are_warned_of_before_the_first_ray) {
+    const CompiledScene crowded = compile_text(fat_square(4));
+    EXPECT_EQ(crowd_text(crowded, Numeric::single), "");
+    EXPECT_EQ(crowd_text(crowded, Numeric::double_), "");
+    const std::string text = crowd_text(crowded, Numeric::dsp32);
+    EXPECT_NE(text.find("up to " + std::to_string(crowded.cell_cap)), std::string::npos) << text;
+    EXPECT_NE(crowd_text(compile_text(fat_square(4) + "render { covers: area }"), Numeric::single),
+              "");
+    EXPECT_EQ(crowd_text(compile_text(ifs("octo")), Numeric::dsp32), "");
 }
 
 }  // namespace

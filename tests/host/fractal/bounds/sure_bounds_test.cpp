@@ -47,6 +47,16 @@ TEST(ReachProof, what_rounding_took_adds_up_along_the_cells_left_out_for_others)
     EXPECT_LT(proof.at_most(1), 1.05);
 }
 
+TEST(SureBounds, what_double_cannot_hold_is_bounded_by_infinity_alone) {
+    // The point (8e156, 0.25, 0.9): squares on the way to it are beyond the largest double.
+    Affine huge{glm::dmat3{0.0}, {0.5, 0.25, 0.9}};
+    huge.linear[1][0] = 3.35e157;
+    const Rifs rifs = systems::complete({huge});
+    const Contraction proof = prove_contraction(rifs);
+    ASSERT_NE(proof.proof, ContractionProof::none);
+    proof_campaign::volumes_contain(rifs, bound(rifs, proof), 2);
+}
+
 TEST(SureBounds, a_set_far_away_sticks_out_of_no_bound) {
     for (const double far : {1e3, 1e6, 1e9, 1e12}) {
         const Affine away = translation(glm::dvec3{far, far / 3, -far});
