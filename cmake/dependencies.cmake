@@ -28,6 +28,7 @@ needs(nlohmann-json nlohmann-json3-dev nlohmann_json)  # statistics
 needs(pugixml libpugixml-dev pugixml)         # the XML of flames (host/import/flame/)
 needs(Boost.Multiprecision libboost-dev Boost)         # the eye's place in 77 digits, headers only
 list(APPEND PXM_LIBRARIES Boost.Beast)                 # the studio's server, headers only
+list(APPEND PXM_LIBRARY_PACKAGES Boost)
 
 # Debian's OpenImageIO target names the tools, and fails with the name of a file where they are not there.
 find_program(PXM_IMAGE_TOOLS iconvert)
@@ -51,3 +52,4 @@ if(NOT PXM_RANDOM123)
     missing(Random123 librandom123-dev)
 endif()
 list(APPEND PXM_LIBRARIES Random123)
+list(APPEND PXM_LIBRARY_PACKAGES Random123)

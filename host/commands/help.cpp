@@ -33,6 +33,8 @@ constexpr Example examples[] = {
     {"models", "pxm models --token 964dX", "a token round the links of one"},
     {"asm", "pxm asm sum.s -o sum.o --list", "an object, and its words beside the source"},
     {"asm", "pxm asm sum.s --run main --trace", "every instruction of a run"},
+    {"studio", "pxm studio", "the gallery, in the browser"},
+    {"studio", "pxm studio my.pxm --port 8080 --no-browser", "one of yours, until it is ended"},
     {"completion", "pxm completion bash > ~/.local/share/bash-completion/completions/pxm",
      "for every bash of yours from now on"},
     {"completion", "pxm completion fish > ~/.config/fish/completions/pxm.fish", "for fish"},

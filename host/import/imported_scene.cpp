@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/compile/build_rifs.hpp"
 #include "host/error.hpp"
@@ -25,7 +26,13 @@ double rounded(double value, double unit) { return std::round(value / unit) * un
 double power_of_ten_below(double value) { return std::pow(10, std::floor(std::log10(value))); }
 
 /// A number that prints short: units are powers of ten, so text is the way to the nearest double.
-Decimal decimal(double value) { return {std::stod(fmt::format("{:.6g}", value)), {}}; }
+/// Bounds err outwards, so that what is 0 may come as a number below this.
+constexpr double no_size = std::numeric_limits<double>::min();
+
+/// With six digits.
+Decimal decimal(double value) {
+    return {std::abs(value) < no_size ? 0 : std::stod(fmt::format("{:.6g}", value)), {}};
+}
 
 bool is_finite(const Box& box) {
     const glm::dvec3 extent = box.high - box.low;
@@ -38,7 +45,7 @@ void face_plane(const Box& box, Scene& scene) {
     const double aspect = static_cast<double>(size.columns) / static_cast<double>(size.rows);
     const glm::dvec3 extent = box.high - box.low;
     double width = margin * std::max(extent.x, extent.y * aspect);
-    if (!(width > 0)) width = 1;
+    if (!(width > 1e9 * no_size)) width = 1;
     const double unit = power_of_ten_below(width) / 100;
     width = std::ceil(width / unit) * unit;
     // Symmetric pictures have lines through their middle: not where two pixels meet.

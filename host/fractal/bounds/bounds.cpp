@@ -186,6 +186,12 @@ double tighten(const Rifs& rifs, Approximation& known) {
     return slack;
 }
 
+/// Linear maps have no other attractor than the origin, and that is no matter of rounding.
+bool stays_at_origin(const Rifs& rifs) {
+    return std::ranges::all_of(
+        rifs.maps, [](const Affine& map) { return map.translation == glm::dvec3{0.0}; });
+}
+
 }  // namespace
 
 std::vector<Bounds> bound(const Rifs& rifs, const Contraction& contraction) {
@@ -206,7 +212,11 @@ std::vector<Bounds> bound(const Rifs& rifs, const Contraction& contraction) {
         if (tighten(rifs, known) <= coarse) break;
     }
     for (std::size_t s = 0; s < known.outer.size(); ++s) {
-        add_margin(known.outer[s], known.sure[s], known.shortfall[s].ball);
+        if (stays_at_origin(rifs)) {
+            known.outer[s] = {{}, {}, known.outer[s].ball_slack};
+        } else {
+            add_margin(known.outer[s], known.sure[s], known.shortfall[s].ball);
+        }
     }
     return known.outer;
 }

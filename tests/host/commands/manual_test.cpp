@@ -245,7 +245,7 @@ TEST(Suggestions, the_nearest_command_option_and_value_are_named) {
         expect_refusal_naming(folder, arguments, 2, {part});
     };
     refused({"redner", "tetra.pxm"},
-            "compare study models asm completion (did you mean 'render'?)");
+            "compare study models asm studio completion (did you mean 'render'?)");
     refused({"render", "tetra.pxm", "--smaples", "4"}, "--smaples (did you mean '--samples'?)");
     refused({"render", "tetra.pxm", "--smaples=4"}, "--smaples=4 (did you mean '--samples'?)");
     refused({"check", "tetra.pxm", "--samples", "4"}, "not expected: --samples\n");

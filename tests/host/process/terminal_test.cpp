@@ -47,7 +47,7 @@ TEST_F(Printed, names_in_scenes_and_on_the_command_line_are_harmless) {
     folder.write(name, tetra_scene);
     EXPECT_EQ(harmless({"render", name, "--size", "8x8", "-o", hostile + ".png"}).exit_code, 0);
     EXPECT_EQ(harmless({"inspect", name}).exit_code, 0);
-    EXPECT_EQ(harmless({"render", hostile, "-o", "a.png"}).exit_code, 4);
+    EXPECT_EQ(harmless({"render", hostile + "x", "-o", "a.png"}).exit_code, 4);
     EXPECT_EQ(harmless({"render", name, "-o", hostile}).exit_code, 2);
     EXPECT_EQ(harmless({"render", name, "--volume", hostile}).exit_code, 2);
     EXPECT_EQ(harmless({hostile}).exit_code, 2);

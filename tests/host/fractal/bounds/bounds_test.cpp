@@ -265,5 +265,14 @@ TEST(Bounds, a_ten_thousandth_short_of_isometry_is_still_tight) {
     EXPECT_LE(bounds.ball_slack, 0.003);
 }
 
+/// What rounding might take is not added where nothing is rounded: a point would get a size.
+TEST(Bounds, of_linear_maps_are_the_origin) {
+    Rifs rifs = complete({map(glm::dmat3{0.5}, {}), map(glm::dmat3{-0.3}, {})});
+    const Bounds bounds = bound_of(rifs)[0];
+    EXPECT_EQ(bounds.ball.radius, 0);
+    EXPECT_EQ(bounds.box.low, glm::dvec3{0.0});
+    EXPECT_EQ(bounds.box.high, glm::dvec3{0.0});
+}
+
 }  // namespace
 }  // namespace pxm::host
