@@ -267,7 +267,8 @@ TEST(Bounds, a_ten_thousandth_short_of_isometry_is_still_tight) {
 
 /// What rounding might take is not added where nothing is rounded: a point would get a size.
 TEST(Bounds, of_linear_maps_are_the_origin) {
-    Rifs rifs = complete({map(glm::dmat3{0.5}, {}), map(glm::dmat3{-0.3}, {})});
+    const Rifs rifs =
+        complete({map({scaling(glm::dvec3{0.5})}), map({scaling(glm::dvec3{-0.3, 0.2, 0.1})})});
     const Bounds bounds = bound_of(rifs)[0];
     EXPECT_EQ(bounds.ball.radius, 0);
     EXPECT_EQ(bounds.box.low, glm::dvec3{0.0});
