@@ -231,5 +231,15 @@ TEST_F(Tools, a_wrong_option_of_try_fresh_is_code_2_and_without_root_nothing_is_
     EXPECT_EQ(std::distance(fs::directory_iterator(root_ / "host"), fs::directory_iterator()), 1);
 }
 
+TEST_F(Tools, a_wrong_option_of_try_package_or_a_folder_without_packages_is_code_2) {
+    for (const char* wrong : {"--frob", "", "--logs", "--size 0 host", "host"}) {
+        const std::string command = "cd '" + root_.string() + "' && tools/try_package " +
+                                    std::string(wrong) + " >out 2>err";
+        const int status = std::system(command.c_str());
+        EXPECT_EQ(WEXITSTATUS(status), 2) << wrong;
+        EXPECT_THAT(read(root_ / "err"), HasSubstr("try_package: ")) << wrong;
+    }
+}
+
 }  // namespace
 }  // namespace pxm::test
