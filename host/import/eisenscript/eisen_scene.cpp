@@ -21,13 +21,6 @@
 namespace pxm::host {
 namespace {
 
-/// A reference to a map by its number, from 1.
-MapReference map_numbered(std::size_t number) {
-    MapReference reference;
-    reference.map = static_cast<long>(number);
-    return reference;
-}
-
 constexpr std::size_t corners = 8;
 constexpr std::size_t most_edges = maps_an_ifs - corners;
 constexpr std::size_t most_spheres = 2'000;  // each is an object of its own
@@ -80,50 +73,66 @@ class EisenWriter {
     }
 
     IfsBlock block() const {
-        IfsBlock block;
         std::vector<std::vector<MapReference>> maps(graph_.nodes.size());  // of each node
         std::vector<const EisenEdge*> edges;
         for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
             for (const EisenEdge& edge : graph_.nodes[i].edges) {
                 if (!leads_to_box(edge)) continue;
                 edges.push_back(&edge);
-                maps[i].push_back(map_numbered(edges.size()));
+                maps[i].push_back(reference(edges.size()));
             }
         }
         std::vector<MapReference> corner_maps;
-        for (std::size_t k = 0; k < corners; ++k)
-            corner_maps.push_back(map_numbered(edges.size() + k + 1));
-        std::size_t rules = corners * corners;
+        for (std::size_t k = 1; k <= corners; ++k)
+            corner_maps.push_back(reference(edges.size() + k));
+        IfsBlock block;
+        std::size_t rules = 0;
         for (const EisenEdge* edge : edges) {
-            MapBlock map;
-            map.commands = {{MatrixCommand{shown(edge->map)}, {}}};
             const bool box = edge->shape == EisenShape::box;
-            if (box && graph_.colored) {
-                const glm::dvec3 rgb = scene_color(edge->color);
-                map.color = {rgb.x, rgb.y, rgb.z, 1};
-            }
-            block.maps.push_back(std::move(map));
-            FollowRule rule{map_numbered(block.maps.size()), {}};
-            rule.followers = box ? corner_maps : maps[edge->node];
-            block.follow.push_back(std::move(rule));
+            add_map(edge_map(*edge), box ? corner_maps : maps[edge->node], block);
             rules += block.follow.back().followers.size();
             if (rules > maps_a_scene)
                 throw Error(ErrorKind::scene,
                             fmt::format("{}: a graph of more than {} edges",
                                         printable_path(source_.name), maps_a_scene));
         }
-        for (std::size_t k = 0; k < corners; ++k) {
-            MapBlock map;
-            const auto half = [](std::size_t bit) { return bit % 2 == 0 ? 0 : 0.5; };
-            map.commands = {{ScaleCommand{glm::dvec3(0.5)}, {}},
-                            {TranslateCommand{{half(k), half(k / 2), 0 - half(k / 4)}}, {}}};
-            block.maps.push_back(std::move(map));
-            FollowRule rule{corner_maps[k], {}};
-            rule.followers = corner_maps;
-            block.follow.push_back(std::move(rule));
-        }
+        for (std::size_t k = 0; k < corners; ++k) add_map(corner_map(k), corner_maps, block);
         block.start = maps[0];
         return block;
+    }
+
+    static MapReference reference(std::size_t number) {
+        MapReference reference;
+        reference.map = static_cast<long>(number);
+        return reference;
+    }
+
+    static void add_map(MapBlock map, const std::vector<MapReference>& inside, IfsBlock& block) {
+        block.maps.push_back(std::move(map));
+        FollowRule rule;
+        rule.map = reference(block.maps.size());
+        rule.followers = inside;
+        block.follow.push_back(std::move(rule));
+    }
+
+    [[nodiscard]] MapBlock edge_map(const EisenEdge& edge) const {
+        MapBlock map;
+        map.commands = {{MatrixCommand{shown(edge.map)}, {}}};
+        if (edge.shape == EisenShape::box && graph_.colored) {
+            const glm::dvec3 rgb = scene_color(edge.color);
+            map.color = {rgb.x, rgb.y, rgb.z, 1};
+        }
+        return map;
+    }
+
+    /// To a corner of the unit cube.
+    static MapBlock corner_map(std::size_t corner) {
+        const auto half = [](std::size_t bit) { return bit % 2 == 0 ? 0 : 0.5; };
+        MapBlock map;
+        map.commands = {
+            {ScaleCommand{glm::dvec3(0.5)}, {}},
+            {TranslateCommand{{half(corner), half(corner / 2), 0 - half(corner / 4)}}, {}}};
+        return map;
     }
 
     void place_spheres(const std::string& name, Scene& scene) const {
