@@ -426,6 +426,16 @@ async function lawsOfModules() {
   const outline = tokens.outlineOf(text);
   law('maps are found', outline.ifs[0].maps.length === 2 && outline.ifs[0].maps[0].name === 'b');
   law('an edit changes its place', edits.setArgument(text, outline.ifs[0].maps[0].directives[1], 0, '0.25') === text.replace('1/2', '0.25'));
+  const graph = await import('/graph_edits.js');
+  const rules = 'ifs a {\n    newmap one scale: 0.5\n    newmap scale: 0.4   # two\n    newmap scale: 0.3\n    follow: one -> 2, 3\n    follow: 2 -> one  # only\n    follow: 3 -> 3\n    start: one, 3\n}\n';
+  const blockOf = t => tokens.outlineOf(t).ifs[0];
+  const table = t => graph.graphOf(blockOf(t), t).allowed.map(row => row.map(Number).join('')).join(' ');
+  law('rules are read', table(rules) === '011 100 001');
+  law('numbers go along when a map goes', graph.withoutMap(rules, blockOf(rules), 1) ===
+    'ifs a {\n    newmap one scale: 0.5\n    newmap scale: 0.3\n    follow: one -> 2\n    follow: 2 -> 2\n    start: one, 2\n}\n');
+  const copied = edits.copyMap(rules, blockOf(rules), blockOf(rules).maps[2]);
+  const ruled = graph.withRulesOfCopy(copied, blockOf(copied), 2);
+  law('a copy stands where its model does', table(ruled) === '0111 1000 0011 0011' && ruled.includes('start: one, 3, 4\n    follow: 4 -> 3, 4\n}'));
   return problems;
 }
 
