@@ -22,6 +22,7 @@ const fill = folder => {
   writeFileSync(join(folder, 'tetra.pxm'), tetra);
   writeFileSync(join(folder, 'wrong.pxm'), 'ifs wrong {\n    newmap scale: 0.5,0.5\n}\n');
   writeFileSync(join(folder, 'markup.pxm'), 'ifs a { newmap scale: "<img src=x onerror=window.stolen=1>" }\n# <script>window.stolen=1</script>\n');
+  writeFileSync(join(folder, 'film.pxm'), tetra.replace('ifs tetra', 'animation { frames: 50 }\nifs tetra').replace('0,0.5,0', '0,0.4 + t/4,0'));
   mkdirSync(join(folder, 'deep'));
   for (const [name, from] of [['sponge', 'menger'], ['pound_sign', 'pound_sign']])
     writeFileSync(join(folder, 'deep', `${name}.pxm`), readFileSync(new URL(`../../scenes/${from}.pxm`, import.meta.url)));
@@ -62,7 +63,7 @@ const tests = {
     const { page, complaints } = await open();
     await page.waitForSelector('#own-cards canvas.made');
     const names = await page.$$eval('#own-cards .caption', c => c.map(e => e.textContent));
-    assert.deepEqual(names, ['deep/pound_sign', 'deep/sponge', 'markup', 'tetra', 'wrong']);
+    assert.deepEqual(names, ['deep/pound_sign', 'deep/sponge', 'film', 'markup', 'tetra', 'wrong']);
     assert.ok((await page.$$('#shipped-cards li')).length > 10);
     assert.ok(!page.url().includes('token'), 'the token leaves the address');
     await page.click('#own-cards button[title="tetra.pxm"]');
@@ -282,6 +283,9 @@ const tests = {
     await page.waitForSelector('#descent-dialog[open]');
     assert.match(await page.textContent('#descent'), /pixel \d+,\d+: ray from/);
     await page.keyboard.press('Escape');
+    await page.evaluate(() => studio.edit(`${studio.text}render { heap: 65536 }\n`));
+    await page.waitForSelector('#panel-machine .refused');
+    assert.match(await page.textContent('#panel-machine .refused'), /z-?buffer|memory/i);
     return opened;
   },
 
@@ -315,6 +319,17 @@ const tests = {
     await agree(page);
     await page.check('[aria-label="2 inside top"]');
     assert.equal(await textOf(page), tetra);
+    return opened;
+  },
+
+  async a_film_shows_the_frame_that_is_chosen() {
+    const opened = await scene('film.pxm', 'text');
+    const { page } = opened;
+    const first = await pixelsOf(page);
+    await page.fill('#frame', '40');
+    await page.waitForFunction(() => studio.frame === 40);
+    assert.match((await samePicture(page)).command, /--frames 40/);
+    assert.notEqual(await pixelsOf(page), first);
     return opened;
   },
 
