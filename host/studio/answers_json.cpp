@@ -131,8 +131,8 @@ std::string checked_json(const Scene& scene, const SceneView& view, const std::s
 
 std::string picture_json(const RenderResult& result) {
     return "{\"warnings\":" + json_text(result.warnings) +
-           ",\"columns\":" + std::to_string(result.frame.columns()) +
-           ",\"rows\":" + std::to_string(result.frame.rows()) +
+           ",\"columns\":" + std::to_string(result.window.x1 - result.window.x0) +
+           ",\"rows\":" + std::to_string(result.window.y1 - result.window.y0) +
            ",\"statistics\":" + statistics_json(result.statistics) + "}";
 }
 

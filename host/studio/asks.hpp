@@ -13,7 +13,7 @@ namespace pxm::host {
 
 inline constexpr std::size_t asked_text_bytes = 1U << 20U;
 inline constexpr long asked_side_pixels = 4096;
-inline constexpr long asked_pixels = 4L << 20U;  // 256 MB of frame
+inline constexpr long asked_pixels = 4L << 20U;  // 16 MB as the page has them
 inline constexpr long asked_samples = 64;
 inline constexpr std::size_t asked_maps = 2000;  // of a scene that is inspected while it is shaped
 inline constexpr double asked_seconds = 600;     // that a picture may take

@@ -20,26 +20,56 @@ namespace pxm::host {
 
 namespace {
 
-void put_number(std::string& bytes, std::uint64_t number) {
-    const std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-    const std::uint64_t kept = std::min(number, most);
-    for (int shift = 0; shift < 32; shift += 8)
-        bytes += static_cast<char>(static_cast<unsigned char>(kept >> shift));
+void put_number(std::string& bytes, std::uint32_t number) {
+    for (unsigned shift = 0; shift < 32; shift += 8)
+        bytes += static_cast<char>(static_cast<unsigned char>(number >> shift));
 }
 
-std::vector<unsigned char> rgb_of(const Frame& frame) {
-    std::vector<unsigned char> rgb(frame.pixels.size() * 3);
-    put_srgb_bytes(frame.pixels, rgb.data());
-    return rgb;
-}
+/// Takes blocks of pixels as they are rendered; each lies at a place of its own.
+class ToCanvas : public PictureTaker {
+  public:
+    ToCanvas(Picture& picture, bool of_machine) : picture_(picture), of_machine_(of_machine) {}
+
+    void begin(const RenderResult& known) override {
+        window_ = known.window;
+        const auto columns = static_cast<std::size_t>(window_.x1 - window_.x0);
+        const std::size_t pixels = columns * static_cast<std::size_t>(window_.y1 - window_.y0);
+        picture_.rgba.resize(4 * pixels);
+        if (of_machine_) picture_.cycles.resize(pixels);
+    }
+
+    void take(const Frame& part) override {
+        const auto columns = static_cast<std::size_t>(part.columns());
+        std::vector<unsigned char> rgb(3 * columns);
+        for (long y = part.crop.y0; y < part.crop.y1; ++y) {
+            const std::span row(&part.at(part.crop.x0, y), columns);
+            put_srgb_bytes(row, rgb.data());
+            const auto at = static_cast<std::size_t>((y - window_.y0) * (window_.x1 - window_.x0) +
+                                                     part.crop.x0 - window_.x0);
+            unsigned char* to = picture_.rgba.data() + 4 * at;
+            for (std::size_t i = 0; i < columns; ++i, to += 4) {
+                std::copy_n(rgb.data() + 3 * i, 3, to);
+                to[3] = 0xFF;
+            }
+            for (std::size_t i = 0; of_machine_ && i < columns; ++i)
+                picture_.cycles[at + i] = static_cast<std::uint32_t>(std::min<std::uint64_t>(
+                    row[i].cycles, std::numeric_limits<std::uint32_t>::max()));
+        }
+    }
+
+  private:
+    Picture& picture_;
+    bool of_machine_;
+    CropWindow window_;
+};
 
 }  // namespace
 
-RenderResult render_asked(const AskedPicture& asked, int threads, std::atomic<bool>& stop) {
+Picture render_asked(const AskedPicture& asked, int threads, std::atomic<bool>& stop) {
+    Picture picture;
     if (stop) {
-        RenderResult result;
-        result.stopped = true;
-        return result;
+        picture.result.stopped = true;
+        return picture;
     }
     std::atomic<bool> late = false;
     const auto begin = std::chrono::steady_clock::now();
@@ -51,42 +81,39 @@ RenderResult render_asked(const AskedPicture& asked, int threads, std::atomic<bo
         late = true;
         stop = true;
     };
-    RenderResult result = render(request_of(asked, threads), control);
+    ToCanvas canvas(picture, asked.machine != nullptr);
+    picture.result = render(request_of(asked, threads), control, &canvas);
     if (late)
         throw Error(ErrorKind::failed,
                     "the picture takes longer than the studio waits; pxm render has no limit");
-    return result;
+    return picture;
 }
 
-std::string picture_bytes(const std::string& head, const RenderResult& result) {
-    const Frame& frame = result.frame;
-    const std::vector<unsigned char> rgb = rgb_of(frame);
+std::string picture_bytes(const std::string& head, const Picture& picture) {
     std::string bytes;
-    bytes.reserve(4 + head.size() + frame.pixels.size() * 8);
-    put_number(bytes, head.size());
+    bytes.reserve(4 + head.size() + picture.rgba.size() + 4 * picture.cycles.size());
+    put_number(bytes, static_cast<std::uint32_t>(head.size()));
     bytes += head;
-    const std::size_t begin = bytes.size();
-    bytes.resize(begin + frame.pixels.size() * 4, '\xFF');
-    for (std::size_t i = 0; i < frame.pixels.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
-            bytes[begin + 4 * i + c] = static_cast<char>(rgb[3 * i + c]);
-    if (result.statistics.machine)
-        for (const PixelRecord& pixel : frame.pixels) put_number(bytes, pixel.cycles);
+    bytes.append(picture.rgba.begin(), picture.rgba.end());
+    for (const std::uint32_t cycles : picture.cycles) put_number(bytes, cycles);
     return bytes;
 }
 
-std::string png_bytes(const Frame& frame) {
+std::string png_bytes(const Picture& picture) {
     const int descriptor = memfd_create("picture", MFD_CLOEXEC);
     if (descriptor < 0) throw Error(ErrorKind::failed, "no memory for the picture");
     CheckedFile file(descriptor, "picture", Places::any);
-    PngFile png(file, static_cast<std::uint32_t>(frame.columns()),
-                static_cast<std::uint32_t>(frame.rows()), software, file_time());
-    const std::vector<unsigned char> rgb = rgb_of(frame);
-    const std::size_t row_bytes = static_cast<std::size_t>(frame.columns()) * 3;
-    const std::size_t segment = static_cast<std::size_t>(band_rows) * row_bytes;
+    const CropWindow& window = picture.result.window;
+    const auto columns = static_cast<std::size_t>(window.x1 - window.x0);
+    PngFile png(file, static_cast<std::uint32_t>(columns),
+                static_cast<std::uint32_t>(window.y1 - window.y0), software, file_time());
+    std::vector<unsigned char> rgb(picture.rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgb.size() / 3; ++i)
+        std::copy_n(picture.rgba.data() + 4 * i, 3, rgb.data() + 3 * i);
+    const std::size_t segment = static_cast<std::size_t>(band_rows) * columns * 3;
     for (std::size_t at = 0; at < rgb.size(); at += segment)
         png.append(deflate_rows(std::span(rgb).subspan(at, std::min(segment, rgb.size() - at)),
-                                row_bytes));
+                                columns * 3));
     png.finish();
     std::string bytes(static_cast<std::size_t>(file.size()), '\0');
     if (file.read_at(0, bytes.data(), bytes.size()) != bytes.size())

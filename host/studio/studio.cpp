@@ -218,21 +218,21 @@ class Studio::Desk {
     HttpAnswer rendered(const HttpRequest& request, const Make& make) {
         const AskedPicture asked = asked_picture(request.body);
         return in_turn(asked.scene.asking, [&](std::atomic<bool>& stop) {
-            const RenderResult result = render_asked(asked, settings_.threads, stop);
-            return result.stopped ? answer_of(superseded_json()) : make(result);
+            const Picture picture = render_asked(asked, settings_.threads, stop);
+            return picture.result.stopped ? answer_of(superseded_json()) : make(picture);
         });
     }
 
     HttpAnswer picture(const HttpRequest& request) {
-        return rendered(request, [](const RenderResult& result) {
+        return rendered(request, [](const Picture& picture) {
             return HttpAnswer{200, "application/octet-stream",
-                              picture_bytes(picture_json(result), result)};
+                              picture_bytes(picture_json(picture.result), picture)};
         });
     }
 
     HttpAnswer png(const HttpRequest& request) {
-        return rendered(request, [](const RenderResult& result) {
-            return HttpAnswer{200, "image/png", png_bytes(result.frame)};
+        return rendered(request, [](const Picture& picture) {
+            return HttpAnswer{200, "image/png", png_bytes(picture)};
         });
     }
 

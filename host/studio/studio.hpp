@@ -9,7 +9,8 @@
 namespace pxm::host {
 
 struct StudioSettings {
-    std::string folder = ".";  // where scenes are opened and saved; the folder one is in
+    std::string folder = ".";  // scenes are opened and saved below it; what they name is looked for
+                               // below the folder that the process is in
     std::string scene;         // below the folder; empty: the gallery
     int port = 0;              // 0: one that is free
     int threads = 1;           // of each render

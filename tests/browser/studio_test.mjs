@@ -22,6 +22,7 @@ const fill = folder => {
   writeFileSync(join(folder, 'tetra.pxm'), tetra);
   writeFileSync(join(folder, 'wrong.pxm'), 'ifs wrong {\n    newmap scale: 0.5,0.5\n}\n');
   writeFileSync(join(folder, 'markup.pxm'), 'ifs a { newmap scale: "<img src=x onerror=window.stolen=1>" }\n# <script>window.stolen=1</script>\n');
+  writeFileSync(join(folder, 'film.pxm'), tetra.replace('ifs tetra', 'animation { frames: 50 }\nifs tetra').replace('0,0.5,0', '0,0.4 + t/4,0'));
   mkdirSync(join(folder, 'deep'));
   for (const [name, from] of [['sponge', 'menger'], ['pound_sign', 'pound_sign']])
     writeFileSync(join(folder, 'deep', `${name}.pxm`), readFileSync(new URL(`../../scenes/${from}.pxm`, import.meta.url)));
@@ -62,7 +63,7 @@ const tests = {
     const { page, complaints } = await open();
     await page.waitForSelector('#own-cards canvas.made');
     const names = await page.$$eval('#own-cards .caption', c => c.map(e => e.textContent));
-    assert.deepEqual(names, ['deep/pound_sign', 'deep/sponge', 'markup', 'tetra', 'wrong']);
+    assert.deepEqual(names, ['deep/pound_sign', 'deep/sponge', 'film', 'markup', 'tetra', 'wrong']);
     assert.ok((await page.$$('#shipped-cards li')).length > 10);
     assert.ok(!page.url().includes('token'), 'the token leaves the address');
     await page.click('#own-cards button[title="tetra.pxm"]');
@@ -282,6 +283,9 @@ const tests = {
     await page.waitForSelector('#descent-dialog[open]');
     assert.match(await page.textContent('#descent'), /pixel \d+,\d+: ray from/);
     await page.keyboard.press('Escape');
+    await page.evaluate(() => studio.edit(`${studio.text}render { heap: 65536 }\n`));
+    await page.waitForSelector('#panel-machine .refused');
+    assert.match(await page.textContent('#panel-machine .refused'), /z-?buffer|memory/i);
     return opened;
   },
 
@@ -315,6 +319,17 @@ const tests = {
     await agree(page);
     await page.check('[aria-label="2 inside top"]');
     assert.equal(await textOf(page), tetra);
+    return opened;
+  },
+
+  async a_film_shows_the_frame_that_is_chosen() {
+    const opened = await scene('film.pxm', 'text');
+    const { page } = opened;
+    const first = await pixelsOf(page);
+    await page.fill('#frame', '40');
+    await page.waitForFunction(() => studio.frame === 40);
+    assert.match((await samePicture(page)).command, /--frames 40/);
+    assert.notEqual(await pixelsOf(page), first);
     return opened;
   },
 
@@ -426,6 +441,16 @@ async function lawsOfModules() {
   const outline = tokens.outlineOf(text);
   law('maps are found', outline.ifs[0].maps.length === 2 && outline.ifs[0].maps[0].name === 'b');
   law('an edit changes its place', edits.setArgument(text, outline.ifs[0].maps[0].directives[1], 0, '0.25') === text.replace('1/2', '0.25'));
+  const graph = await import('/graph_edits.js');
+  const rules = 'ifs a {\n    newmap one scale: 0.5\n    newmap scale: 0.4   # two\n    newmap scale: 0.3\n    follow: one -> 2, 3\n    follow: 2 -> one  # only\n    follow: 3 -> 3\n    start: one, 3\n}\n';
+  const blockOf = t => tokens.outlineOf(t).ifs[0];
+  const table = t => graph.graphOf(blockOf(t), t).allowed.map(row => row.map(Number).join('')).join(' ');
+  law('rules are read', table(rules) === '011 100 001');
+  law('numbers go along when a map goes', graph.withoutMap(rules, blockOf(rules), 1) ===
+    'ifs a {\n    newmap one scale: 0.5\n    newmap scale: 0.3\n    follow: one -> 2\n    follow: 2 -> 2\n    start: one, 2\n}\n');
+  const copied = edits.copyMap(rules, blockOf(rules), blockOf(rules).maps[2]);
+  const ruled = graph.withRulesOfCopy(copied, blockOf(copied), 2);
+  law('a copy stands where its model does', table(ruled) === '0111 1000 0011 0011' && ruled.includes('start: one, 3, 4\n    follow: 4 -> 3, 4\n}'));
   return problems;
 }
 

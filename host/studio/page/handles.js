@@ -2,7 +2,7 @@
 // corner or the middle of the one that is selected can be dragged.
 import { dragged, projected } from './camera.js';
 import { cornersOf, mapOf, moveMap, replaceSteps, stepsOf, tetrahedronStep } from './map_edits.js';
-import { add, direction, inverse, point, scaled } from './vectors.js';
+import { add, direction, identity, inverse, lipschitz, point, scaled } from './vectors.js';
 
 const edges = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 const reach = 14;  // CSS pixels around a handle that mean it
@@ -59,10 +59,11 @@ export class Handles {
 
   drawMap(context, scene, index, role) {
     const corners = this.cornersIn(scene, index);
-    if (corners) this.tetrahedron(context, corners.map(c => this.toScreen(scene.camera, c)), role);
+    const grows = lipschitz(mapOf(scene.block.maps[index], scene.lets) ?? identity) >= 1;
+    if (corners) this.tetrahedron(context, corners.map(c => this.toScreen(scene.camera, c)), role, grows);
   }
 
-  tetrahedron(context, corners, role) {
+  tetrahedron(context, corners, role, grows = false) {
     if (corners.some(c => !(c.ahead > 0))) return;
     const path = () => {
       context.beginPath();
@@ -72,7 +73,7 @@ export class Handles {
     context.setLineDash(role === 'whole' ? [3, 5] : []);
     context.lineJoin = 'round';
     path(); context.strokeStyle = 'rgba(0,0,0,0.55)'; context.lineWidth = selected ? 4 : 2.5; context.stroke();
-    path(); context.strokeStyle = selected ? '#ffc24d' : role === 'whole' ? 'rgba(255,255,255,0.55)' : 'rgba(140,190,255,0.7)';
+    path(); context.strokeStyle = grows ? '#ff7d72' : selected ? '#ffc24d' : role === 'whole' ? 'rgba(255,255,255,0.55)' : 'rgba(140,190,255,0.7)';
     context.lineWidth = selected ? 2 : 1; context.stroke();
     context.setLineDash([]);
     if (!selected) return;

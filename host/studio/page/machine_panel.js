@@ -33,11 +33,13 @@ const heat = share => {
 export class MachinePanel {
   /// `choose(model)`: '' is native.
   constructor(place, models, choose) {
-    Object.assign(this, { place, models, choose, partition: 'interleaved', quantity: 'cycles', picture: null, model: '' });
+    Object.assign(this, { place, models, choose, partition: 'interleaved', quantity: 'cycles', picture: null, model: '', why: '' });
     this.draw();
   }
 
-  show(picture, model) { this.picture = picture; this.model = model; this.draw(); }
+  show(picture, model) { Object.assign(this, { picture, model, why: '' }); this.draw(); }
+  /// What the machine cannot do: a memory is too small, the scene is wrong.
+  refuse(why) { Object.assign(this, { picture: null, why }); this.draw(); }
 
   head() {
     return element('div', { class: 'row' }, element('label', {}, 'render on ',
@@ -49,8 +51,8 @@ export class MachinePanel {
   draw() {
     const picture = this.model ? this.picture : null;
     if (!picture?.cycles) {
-      const text = this.model ? 'The machine is at work …' : 'Here the scene is rendered by a simulated Pixel Machine of 1987: an array of nodes, each a signal processor with 36 KB of fast memory. Choose a model, and see what every node has to do. Its pictures are smaller, as a node needs thousands of cycles a pixel.';
-      this.place.replaceChildren(this.head(), element('p', { class: 'note' }, text));
+      const text = this.why ? this.why : this.model ? 'The machine is at work …' : 'Here the scene is rendered by a simulated Pixel Machine of 1987: an array of nodes, each a signal processor with 36 KB of fast memory. Choose a model, and see what every node has to do. Its pictures are smaller, as a node needs thousands of cycles a pixel.';
+      this.place.replaceChildren(this.head(), element('p', { class: this.why ? 'note refused' : 'note' }, text));
       return;
     }
     const statistics = picture.head.statistics;

@@ -69,13 +69,17 @@ export function addStep(text, map, words) {
   return insertAfter(text, map, last?.end ?? map.head, last, words);
 }
 
-/// Without the blanks before it, or its line if it was alone there.
-function removed(text, { start, end }) {
+/// What goes with a piece of text that is taken out: the blanks before it; or its line, if it was alone
+/// there, with what is remarked behind it.
+export function removalOf(text, { start, end }) {
   const from = lineStart(text, start);
-  const rest = /^[ \t]*(?=\n|$)/.exec(text.slice(end));
-  if (text.slice(from, start).trim() === '' && rest && from > 0) return splice(text, from - 1, end + rest[0].length, '');
-  const blanks = /[ \t]*$/.exec(text.slice(0, start))[0].length;
-  return splice(text, start - blanks, end, '');
+  const rest = /^[ \t]*(#[^\n]*)?(?=\n|$)/.exec(text.slice(end));
+  if (text.slice(from, start).trim() === '' && rest && from > 0) return { start: from - 1, end: end + rest[0].length };
+  return { start: start - /[ \t]*$/.exec(text.slice(0, start))[0].length, end };
+}
+function removed(text, range) {
+  const { start, end } = removalOf(text, range);
+  return splice(text, start, end, '');
 }
 export const removeDirective = removed;
 
@@ -111,8 +115,6 @@ export function copyMap(text, block, map, more = '') {
 }
 
 export const mirrored = axis => ({ x: 'scale: -1,1,1', y: 'scale: 1,-1,1', z: 'scale: 1,1,-1' })[axis];
-
-export const removeMap = (text, map) => removed(text, map);
 
 /// Sets a directive that a map has once, or adds it.
 export function setOnce(text, map, word, values) {

@@ -1,9 +1,10 @@
 // The maps of a system as cards, each with its steps (Sec. 9.2): what is typed, dragged or pressed here
 // becomes an edit of the text.
 import { element, number } from './elements.js';
-import { graphOf, graphPanel } from './graph_panel.js';
+import { graphOf, withoutMap, withRulesOfCopy } from './graph_edits.js';
+import { graphPanel } from './graph_panel.js';
 import * as edits from './map_edits.js';
-import { valueOf } from './scene_tokens.js';
+import { outlineOf, valueOf } from './scene_tokens.js';
 import { lipschitz } from './vectors.js';
 
 const labels = { scale: ['x', 'y', 'z'], translate: ['x', 'y', 'z'], rotate: ['', '°'] };
@@ -76,10 +77,16 @@ export class MapsPanel {
       element('ol', { class: 'steps' }, ...edits.stepsOf(map).map((step, s) => this.step(index, step, s))),
       this.adder(index), this.looks(index),
       element('div', { class: 'row' },
-        act('Copy', 'Copy this map', () => edits.copyMap(this.text(), this.block(), this.mapAt(index)), count),
-        act('Mirror', 'A mirrored copy, left to right', () => edits.copyMap(this.text(), this.block(), this.mapAt(index), edits.mirrored('x')), count),
+        act('Copy', 'Copy this map', () => this.copied(index), count),
+        act('Mirror', 'A mirrored copy, left to right', () => this.copied(index, edits.mirrored('x')), count),
         element('span', { class: 'grow' }),
-        act('Delete', 'Delete this map', () => edits.removeMap(this.text(), this.mapAt(index)), () => Math.max(0, index - 1))));
+        act('Delete', 'Delete this map', () => withoutMap(this.text(), this.block(), index), () => Math.max(0, index - 1))));
+  }
+
+  /// The text with a copy of a map, which stands in the graph as that one does.
+  copied(index, more = '') {
+    const text = edits.copyMap(this.text(), this.block(), this.mapAt(index), more);
+    return withRulesOfCopy(text, outlineOf(text).ifs[this.scene().ifs], index);
   }
 
   step(index, step, s) {

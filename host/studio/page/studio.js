@@ -269,6 +269,7 @@ class Studio {
   pictured(event) {
     byId('busy').hidden = event.kind !== 'picture' || event.phase !== 'coarse';
     if (event.kind === 'refused') {
+      if (this.machine) this.machines.refuse(event.error.message);
       if (event.error.kind === 'scene') this.checking.showMistakes(event.error);
       else toast(event.error.message, 'bad');
     }
