@@ -1,5 +1,6 @@
-// Where the files lie that come with the program: the modules with libraries for pictures, and the scenes. They
-// are found from the program's own place, so that an installed tree may be moved as a whole.
+// Where the files lie that come with the program: the modules with libraries for pictures, and the
+// scenes. They are found from the program's own place, so that an installed tree may be moved as a
+// whole.
 #pragma once
 
 #include <filesystem>

@@ -71,11 +71,11 @@ std::size_t choose_entry(const std::vector<std::string>& names, const std::strin
         if (same_word(names[i], *wanted)) return i;
     if (const auto place = place_of(*wanted); place && *place < names.size()) return *place;
     const std::vector<std::string_view> candidates(names.begin(), names.end());
-    throw Error(ErrorKind::setting,
-                fmt::format("{} has no entry \"{}\"{}; it has:{}", printable(file, longest_name),
-                            printable(*wanted),
-                            printable(suggestion(*wanted, candidates), longest_name),
-                            listed(names)));
+    throw Error(
+        ErrorKind::setting,
+        fmt::format("{} has no entry \"{}\"{}; it has:{}", printable(file, longest_name),
+                    printable(*wanted), printable(suggestion(*wanted, candidates), longest_name),
+                    listed(names)));
 }
 
 std::string file_name(const std::string& path) {
