@@ -144,4 +144,15 @@ const char* const tetra_scene =
     "    newmap scale: 0.5 translate: -0.409,-0.166,0.236\n"
     "}\n";
 
+const char* const turning_film = R"(
+animation { frames: 5  rate: 10 }
+ifs a {
+    newmap scale: 0.5 rotate: y,90*t
+    newmap scale: 0.5 translate: 0.5,0,0
+    newmap scale: 0.5 translate: 0,0.5*key(t: 0 -> 1, 1 -> 0.5),0
+}
+camera { eye: 0.3,0.4,-2  look: 0.3,0.3,0 }
+image { size: 24,16 }
+)";
+
 }  // namespace pxm::test

@@ -30,4 +30,7 @@ std::string expect_done(const Folder& folder, const Arguments& arguments,
 /// Sierpinski's tetrahedron as four homotheties, and nothing else.
 extern const char* const tetra_scene;
 
+/// Five small frames in which a map turns and another moves.
+extern const char* const turning_film;
+
 }  // namespace pxm::test

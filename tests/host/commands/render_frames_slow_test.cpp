@@ -12,20 +12,9 @@
 namespace pxm::test {
 namespace {
 
-constexpr const char* film = R"(
-animation { frames: 5  rate: 10 }
-ifs a {
-    newmap scale: 0.5 rotate: y,90*t
-    newmap scale: 0.5 translate: 0.5,0,0
-    newmap scale: 0.5 translate: 0,0.5*key(t: 0 -> 1, 1 -> 0.5),0
-}
-camera { eye: 0.3,0.4,-2  look: 0.3,0.3,0 }
-image { size: 24,16 }
-)";
-
 class Films : public testing::Test {
   protected:
-    Films() { folder.write("film.pxm", film); }
+    Films() { folder.write("film.pxm", turning_film); }
     void refuse(const Arguments& more, int code, const std::string& message) const {
         Arguments all{"render", "film.pxm"};
         all.insert(all.end(), more.begin(), more.end());
@@ -48,7 +37,7 @@ TEST_F(Films, a_frame_does_not_depend_on_which_others_are_rendered) {
 
 TEST_F(Films, a_frame_is_the_picture_of_the_scene_with_its_numbers) {
     expect_done(folder, {"render", "film.pxm", "--frames", "2", "-o", "a.png", "--quiet"});
-    std::string still = film;
+    std::string still = turning_film;
     still.erase(0, still.find("ifs"));
     still.replace(still.find("90*t"), 4, "45");
     const std::string key = "key(t: 0 -> 1, 1 -> 0.5)";
@@ -80,7 +69,7 @@ TEST_F(Films, mistakes_are_told_before_anything_is_rendered) {
 }
 
 TEST_F(Films, a_frame_that_does_not_contract_is_named) {
-    std::string text = film;
+    std::string text = turning_film;
     text.replace(text.find("scale: 0.5 rotate"), 17, "scale: 0.5+t rotate");
     folder.write("film.pxm", text);
     const std::string check = "$PXM check film.pxm";
@@ -115,7 +104,7 @@ TEST_F(Films, go_to_a_pipe_frame_after_frame) {
 /// The mean of what is seen while the shutter is open, one sample after another.
 TEST_F(Films, a_shutter_shows_each_sample_at_its_moment) {
     host::RenderRequest request;
-    std::string text = film;
+    std::string text = turning_film;
     text.replace(text.find("rate: 10"), 8, "rate: 10 shutter: 1");
     request.scene_path = "film";
     request.scene_text = text;
@@ -147,11 +136,11 @@ TEST_F(Films, a_shutter_shows_each_sample_at_its_moment) {
 TEST_F(Films, a_closed_shutter_changes_nothing) {
     host::RenderRequest request;
     request.scene_path = "film";
-    request.scene_text = film;
+    request.scene_text = turning_film;
     request.overrides.samples = 4;
     request.frame = 2;
     const host::Frame at_once = render(request, {}).frame;
-    std::string text = film;
+    std::string text = turning_film;
     text.replace(text.find("rate: 10"), 8, "rate: 10 shutter: 1e-9");
     request.scene_text = text;
     const host::Frame open = render(request, {}).frame;
@@ -164,7 +153,7 @@ TEST_F(Films, a_closed_shutter_changes_nothing) {
 }
 
 TEST_F(Films, are_written_by_ffmpeg_where_there_is_one) {
-    folder.write("film2.pxm", std::string(film) + "render { background: 0,0,0 }");
+    folder.write("film2.pxm", std::string(turning_film) + "render { background: 0,0,0 }");
     const Outcome without = run_program(
         folder, {"render", "film.pxm", "--frames", "0-4", "-o", "a.mp4"}, {"PATH=/nowhere"});
     EXPECT_EQ(without.exit_code, 2);

@@ -12,21 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* film = R"(
-animation { frames: 5  rate: 10 }
-ifs a {
-    newmap scale: 0.5 rotate: y,90*t
-    newmap scale: 0.5 translate: 0.5,0,0
-    newmap scale: 0.5 translate: 0,0.5*key(t: 0 -> 1, 1 -> 0.5),0
-}
-camera { eye: 0.3,0.4,-2  look: 0.3,0.3,0 }
-image { size: 24,16 }
-)";
-
 class FilmParts : public testing::Test {
   protected:
     FilmParts() {
-        folder.write("film.pxm", film);
+        folder.write("film.pxm", turning_film);
         for (const char* name : {"one", "joined"}) fs::create_directories(folder.path(name));
     }
     [[nodiscard]] static Arguments command(const Arguments& options) {
@@ -122,7 +111,7 @@ TEST_F(FilmParts, that_lack_a_frame_are_joined_without_it_and_name_it) {
 
 TEST_F(FilmParts, of_two_films_are_refused) {
     expect_done(folder, command({"--part", "1/5", "-o", "parts"}));
-    folder.write("film.pxm", std::string(film) + "light { direction: 1,1,1 }\n");
+    folder.write("film.pxm", std::string(turning_film) + "light { direction: 1,1,1 }\n");
     expect_refusal(folder, command({"--part", "2/5", "-o", "parts"}), 4,
                    "parts/frame-0000: is of another film than this (its scene or its options are "
                    "others)");
