@@ -24,7 +24,7 @@ using Polytope = std::vector<HalfSpace>;
 inline constexpr int most_half_spaces = 32;  // docs/scene-language.md, "object"
 
 /// A bounded polytope that contains E_set, of at most most_half_spaces. `known` as from
-/// approximation().
+/// approximation(); its bounds are finite.
 [[nodiscard]] Polytope polytope(const Rifs& rifs, const Approximation& known, int set);
 
 /// The corners of a bounded polytope. Where planes all but agree, points beside a corner may be
