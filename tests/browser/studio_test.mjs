@@ -252,17 +252,27 @@ const tests = {
     await page.fill('#text', `${tetra}# mine\n`);
     await page.keyboard.press('Control+s');
     await page.waitForFunction(() => studio.saved === studio.text);
-    assert.equal(readFileSync(join(studio_folder(), 'tetra.pxm'), 'utf8'), `${tetra}# mine\n`);
-    writeFileSync(join(studio_folder(), 'tetra.pxm'), `${tetra}# theirs\n`);
+    assert.equal(readFileSync(join(studio.folder, 'tetra.pxm'), 'utf8'), `${tetra}# mine\n`);
+    writeFileSync(join(studio.folder, 'tetra.pxm'), `${tetra}# theirs\n`);
     await page.fill('#text', `${tetra}# mine again\n`);
     await page.keyboard.press('Control+s');
     await page.waitForSelector('#save-dialog[open]');
-    assert.equal(readFileSync(join(studio_folder(), 'tetra.pxm'), 'utf8'), `${tetra}# theirs\n`);
+    assert.equal(readFileSync(join(studio.folder, 'tetra.pxm'), 'utf8'), `${tetra}# theirs\n`);
     await page.fill('#save-name', 'other.pxm');
     await page.click('#save-form button.main');
     await page.waitForFunction(() => studio.name === 'other.pxm');
-    assert.equal(readFileSync(join(studio_folder(), 'other.pxm'), 'utf8'), `${tetra}# mine again\n`);
-    writeFileSync(join(studio_folder(), 'tetra.pxm'), tetra);
+    assert.equal(readFileSync(join(studio.folder, 'other.pxm'), 'utf8'), `${tetra}# mine again\n`);
+    writeFileSync(join(studio.folder, 'other.pxm'), `${tetra}# a third\n`);
+    await page.waitForFunction(() => location.hash.includes('scene=other.pxm'));
+    await page.reload();
+    await settled(page);
+    assert.equal(await textOf(page), `${tetra}# a third\n`, 'what was saved is not kept beside its file');
+    await page.fill('#text', `${tetra}# not saved\n`);
+    await settled(page);
+    await page.reload();
+    await settled(page);
+    assert.equal(await textOf(page), `${tetra}# not saved\n`);
+    writeFileSync(join(studio.folder, 'tetra.pxm'), tetra);
     return opened;
   },
 
@@ -393,8 +403,6 @@ const tests = {
     return opened;
   },
 };
-
-const studio_folder = () => studio.folder;
 
 /// The maps that the page has are those that the program reads from its text.
 async function agree(page) {

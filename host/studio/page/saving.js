@@ -9,11 +9,10 @@ async function saveAs(studio, name, seen) {
     const answer = await server.save(name, studio.text, seen);
     if (!answer.saved) return false;
     studio.saved = studio.text;
-    const renamed = name !== studio.name || studio.shipped;
-    Object.assign(studio, { name, shipped: false, digest: answer.digest, arrivedAt: `${name}|` });
-    studio.keepText();
+    sessionStorage.removeItem(studio.place.keptAs());
+    Object.assign(studio, { name, shipped: false, digest: answer.digest });
+    studio.place.saved(name);
     studio.drawName();
-    if (renamed) studio.noteAddress();
     toast(`Saved ${name}.`);
   } catch (error) {
     toast(error.message, 'bad');
@@ -84,10 +83,5 @@ export async function takeDropped(studio, event) {
     toast('Scenes end in .pxm; pxm import makes them of other files.', 'bad');
     return;
   }
-  studio.dropped = await file.text();
-  studio.arrivedAt = '';
-  const name = file.name.replace(/[^\w.-]/g, '_').replace(/^[.]+/, '');
-  sessionStorage.removeItem(`pxm:${name}:true`);
-  if (location.hash.slice(1) === String(new URLSearchParams({ scene: name, from: 'pxm' }))) studio.arrive();
-  else studio.go({ scene: name, shipped: true });
+  studio.place.begin(file.name.replace(/[^\w.-]/g, '_').replace(/^[.]+/, ''), await file.text());
 }

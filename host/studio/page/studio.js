@@ -11,17 +11,12 @@ import { dragged, History } from './history.js';
 import { Live } from './live.js';
 import { MachinePanel } from './machine_panel.js';
 import { MapsPanel } from './maps_panel.js';
+import { Place } from './place.js';
 import * as saving from './saving.js';
 import * as server from './server.js';
 import { letsOf, outlineOf } from './scene_tokens.js';
 import { identity } from './vectors.js';
 
-const beginning = `# two copies of the whole: where do they stand?
-ifs mine {
-    newmap scale: 0.6 translate: 0,0.5,0 color: 0.2,0.6,0.3,0.4
-    newmap scale: 0.5 rotate: z,40 translate: 0.5,-0.3,0 color: 0.8,0.7,0.2,0.4
-}
-`;
 const tabs = ['maps', 'text', 'facts', 'machine'];
 const trail_pause = 700;  // milliseconds between moves that are steps of the way back
 
@@ -48,6 +43,7 @@ class Studio {
 
   makeParts() {
     this.live = new Live(byId('picture'), () => this.shown(), event => this.pictured(event));
+    this.place = new Place(this);
     this.checking = new Checking(this);
     this.editor = new Editor(text => this.edit(text, 'typing'));
     this.handles = new Handles(byId('handles'), () => this.shaping());
@@ -55,87 +51,11 @@ class Studio {
     this.gestures = new Gestures(byId('handles'), this);
     this.maps = new MapsPanel(byId('panel-maps'), () => this, (text, kind) => this.edit(text, kind), (ifs, map) => this.select(ifs, map));
     this.machines = new MachinePanel(byId('panel-machine'), this.facts.models, model => this.useMachine(model));
-    this.gallery = new Gallery(this.facts, (name, shipped) => this.go({ scene: name, shipped }));
+    this.gallery = new Gallery(this.facts, (name, shipped) => this.place.go(name, shipped));
     new ResizeObserver(() => this.resized()).observe(byId('stage'));
   }
 
   get text() { return this.history.text; }
-
-  // --- scenes ---------------------------------------------------------------------------------
-
-  /// Shows what the address says.
-  async arrive() {
-    const wanted = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
-    const key = wanted.scene ? `${wanted.scene}|${wanted.from ?? ''}` : '';
-    if (key !== this.arrivedAt) {
-      this.arrivedAt = key;
-      if (!wanted.scene) return this.showGallery();
-      try {
-        await this.load(wanted.scene, wanted.from === 'pxm');
-      } catch (error) {
-        toast(error.message, 'bad');
-        this.arrivedAt = '';
-        return this.showGallery();
-      }
-    }
-    if (wanted.tab) this.choose(wanted.tab, false);
-    if (this.base) {
-      this.camera = cameras.fromAddress(wanted.view ?? '', this.base);
-      this.cameraChanged();
-    }
-  }
-
-  async load(name, shipped) {
-    const file = shipped
-      ? { text: this.dropped ?? this.facts.shipped.find(s => s.name === name)?.text ?? beginning, digest: '' }
-      : await server.open(name);
-    this.dropped = null;
-    this.name = name;
-    this.shipped = shipped;
-    this.saved = file.text;
-    this.digest = file.digest;
-    const kept = this.keptText();
-    Object.assign(this, { history: new History(file.text), checked: null, base: null, camera: null, trail: [], frame: 0, ifs: 0, map: -1, goodText: '' });
-    if (kept !== null && kept !== file.text) this.history.put(kept);
-    byId('gallery').hidden = true;
-    byId('studio').hidden = false;
-    byId('scene-tools').hidden = false;
-    this.live.clear();
-    this.flight.forget();
-    this.live.fit(this.facts.limits);
-    this.textChanged();
-    await this.answered;
-  }
-
-  showGallery() {
-    this.name = '';
-    byId('gallery').hidden = false;
-    byId('studio').hidden = true;
-    byId('scene-tools').hidden = true;
-    byId('scene-name').textContent = '';
-    document.title = 'pxm studio';
-  }
-
-  go({ scene, shipped }) {
-    location.hash = new URLSearchParams({ scene, ...(shipped ? { from: 'pxm' } : {}) });
-  }
-
-  /// The view in the address, soon: a reload comes back to it.
-  noteAddress() {
-    clearTimeout(this.noting);
-    this.noting = setTimeout(() => {
-      if (!this.name || !this.camera) return;
-      const view = cameras.toAddress(this.camera);
-      const words = new URLSearchParams({ scene: this.name, ...(this.shipped ? { from: 'pxm' } : {}), ...(this.tab !== 'maps' ? { tab: this.tab } : {}), ...(view ? { view } : {}) });
-      history.replaceState(null, '', `#${words}`);
-    }, 300);
-  }
-
-  /// What was not saved survives a reload of this tab.
-  keptText() { return sessionStorage.getItem(`pxm:${this.name}:${this.shipped}`); }
-  keepText() {
-    try { sessionStorage.setItem(`pxm:${this.name}:${this.shipped}`, this.text); } catch { /* there is no room */ }
-  }
 
   // --- text -----------------------------------------------------------------------------------
 
@@ -158,7 +78,7 @@ class Studio {
     this.editor.set(this.text);
     this.maps.draw();
     this.handles.draw();
-    this.keepText();
+    this.place.keepText();
     byId('undo').disabled = !this.history.canUndo;
     byId('redo').disabled = !this.history.canRedo;
     this.drawName();
@@ -199,7 +119,7 @@ class Studio {
     byId('back').disabled = this.trail.length === 0;
     this.live.change();
     this.handles.draw();
-    this.noteAddress();
+    this.place.note();
   }
   back() { if (this.trail.length > 0) this.setCamera(this.trail.pop(), 'back'); byId('back').disabled = this.trail.length === 0; }
   reset() { if (this.camera?.moved) this.setCamera(this.base, 'reset'); }
@@ -316,7 +236,7 @@ class Studio {
     if (tab !== 'machine' && this.machine) this.useMachine('');
     if (tab === 'machine') this.machines.draw();
     this.handles.draw();
-    this.noteAddress();
+    this.place.note();
   }
 
   connect() {
@@ -337,10 +257,10 @@ class Studio {
       byId('frame-number').textContent = event.target.value;
       this.checking.check();
     });
-    press('new', () => this.go({ scene: 'mine.pxm', shipped: true }));
+    press('new', () => this.place.begin());
     addEventListener('dragover', event => { if (event.dataTransfer.types.includes('Files')) event.preventDefault(); });
     addEventListener('drop', event => saving.takeDropped(this, event));
-    addEventListener('hashchange', () => this.arrive());
+    addEventListener('hashchange', () => this.place.arrive());
     addEventListener('keydown', event => this.key(event));
     document.querySelector('.tabs').addEventListener('keydown', event => {
       const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
@@ -378,7 +298,7 @@ async function begin() {
   server.stay(here => document.documentElement.classList.toggle('gone', !here));
   const studio = new Studio(facts);
   if (!hash && facts.scene) history.replaceState(null, '', `#${new URLSearchParams({ scene: facts.scene })}`);
-  await studio.arrive();
+  await studio.place.arrive();
   window.studio = studio;
 }
 

@@ -1,0 +1,122 @@
+// Where the page is: which scene it shows, from which view, as its address has it; and the text that was
+// not saved, which survives a reload of the tab.
+import * as cameras from './camera.js';
+import { byId, toast } from './elements.js';
+import { History } from './history.js';
+import * as server from './server.js';
+
+const settled = 300;  // milliseconds after a change before it stands in the address
+const beginning = `# two copies of the whole: where do they stand?
+ifs mine {
+    newmap scale: 0.6 translate: 0,0.5,0 color: 0.2,0.6,0.3,0.4
+    newmap scale: 0.5 rotate: z,40 translate: 0.5,-0.3,0 color: 0.8,0.7,0.2,0.4
+}
+`;
+
+export class Place {
+  constructor(studio) {
+    this.studio = studio;
+    this.scene = null;  // that is shown, and where it is from; '' is the gallery
+    this.dropped = null;
+  }
+
+  /// Shows what the address says.
+  async arrive() {
+    const { studio } = this;
+    const wanted = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+    const scene = wanted.scene ? `${wanted.scene}|${wanted.from ?? ''}` : '';
+    if (scene !== this.scene) {
+      this.scene = scene;
+      if (!wanted.scene) return this.showGallery();
+      try {
+        await this.load(wanted.scene, wanted.from === 'pxm');
+      } catch (error) {
+        toast(error.message, 'bad');
+        this.scene = '';
+        return this.showGallery();
+      }
+    }
+    if (wanted.tab) studio.choose(wanted.tab, false);
+    if (studio.base) {
+      studio.camera = cameras.fromAddress(wanted.view ?? '', studio.base);
+      studio.cameraChanged();
+    }
+    return undefined;
+  }
+
+  /// `shipped`: it comes with pxm, or from nowhere, and has no file yet.
+  async load(name, shipped) {
+    const { studio } = this;
+    const file = shipped
+      ? { text: this.dropped ?? studio.facts.shipped.find(s => s.name === name)?.text ?? beginning, digest: '' }
+      : await server.open(name);
+    this.dropped = null;
+    Object.assign(studio, { name, shipped, saved: file.text, digest: file.digest, history: new History(file.text),
+      checked: null, base: null, camera: null, trail: [], frame: 0, ifs: 0, map: -1, goodText: '' });
+    const kept = sessionStorage.getItem(this.keptAs());
+    if (kept !== null && kept !== file.text) studio.history.put(kept);
+    byId('gallery').hidden = true;
+    byId('studio').hidden = false;
+    byId('scene-tools').hidden = false;
+    byId('frame').value = 0;
+    byId('frame-number').textContent = '0';
+    studio.live.clear();
+    studio.flight.forget();
+    studio.live.fit(studio.facts.limits);
+    studio.textChanged();
+    await studio.answered;
+  }
+
+  showGallery() {
+    this.studio.name = '';
+    byId('gallery').hidden = false;
+    byId('studio').hidden = true;
+    byId('scene-tools').hidden = true;
+    byId('scene-name').textContent = '';
+    document.title = 'pxm studio';
+  }
+
+  go(scene, shipped) {
+    const address = String(new URLSearchParams({ scene, ...(shipped ? { from: 'pxm' } : {}) }));
+    if (location.hash.slice(1) === address) this.arrive();
+    else location.hash = address;
+  }
+
+  /// A new scene, with a text from elsewhere if there is one.
+  begin(name = 'mine.pxm', text = null) {
+    this.dropped = text;
+    this.scene = '';
+    sessionStorage.removeItem(`pxm:${name}:true`);
+    this.go(name, true);
+  }
+
+  /// The scene has a file of that name now.
+  saved(name) {
+    this.scene = `${name}|`;
+    this.keepText();
+    this.note();
+  }
+
+  /// The view in the address, soon: a reload comes back to it.
+  note() {
+    clearTimeout(this.noting);
+    this.noting = setTimeout(() => {
+      const { name, shipped, tab, camera } = this.studio;
+      if (!name || !camera) return;
+      const view = cameras.toAddress(camera);
+      const words = new URLSearchParams({ scene: name, ...(shipped ? { from: 'pxm' } : {}), ...(tab !== 'maps' ? { tab } : {}), ...(view ? { view } : {}) });
+      history.replaceState(null, '', `#${words}`);
+    }, settled);
+  }
+
+  keptAs() { return `pxm:${this.studio.name}:${this.studio.shipped}`; }
+
+  /// What is saved is not kept: when its file is another one day, that is what is shown.
+  keepText() {
+    const { studio } = this;
+    try {
+      if (studio.text === studio.saved) sessionStorage.removeItem(this.keptAs());
+      else sessionStorage.setItem(this.keptAs(), studio.text);
+    } catch { /* there is no room */ }
+  }
+}
