@@ -21,6 +21,8 @@ constexpr double top = 34;
 constexpr double bottom = 48;
 constexpr double bottom_line = height - bottom;
 constexpr double right_line = width - right;
+constexpr double legend_top = top + 8;  // base line of the first name
+constexpr double legend_line = 18;
 
 struct Style {
     const char* color;
@@ -99,9 +101,16 @@ std::string series_of(const PlotSeries& series, const Mapping& x, const Mapping&
     return svg;
 }
 
-/// The names of the points that have one. Marks come first, so that no label hides one.
+PlotArea legend_area(std::size_t names) {
+    const double height_of_all = legend_line * static_cast<double>(names);
+    return {right_line + 10, legend_top - 14, width, legend_top - 14 + height_of_all};
+}
+
+/// The names of the points that have one. Marks and the legend come first, so that no label lies
+/// on them: where a point of measured time falls is not known beforehand.
 std::string labels_of(const std::vector<PlotSeries>& all, const Mapping& x, const Mapping& y) {
     LabelPlacer placer({left + 4, top, width, bottom_line});
+    placer.keep_clear(legend_area(all.size()));
     for (const PlotSeries& series : all)
         for (const PlotPoint& p : series.points) placer.mark(x(p.x), y(p.y));
     std::string svg;
@@ -118,8 +127,8 @@ std::string labels_of(const std::vector<PlotSeries>& all, const Mapping& x, cons
 
 std::string legend(const std::vector<PlotSeries>& series) {
     std::string svg;
-    double y = top + 8;
-    for (std::size_t i = 0; i < series.size(); ++i, y += 18) {
+    double y = legend_top;
+    for (std::size_t i = 0; i < series.size(); ++i, y += legend_line) {
         const Style& style = styles[i % std::size(styles)];
         if (series[i].line) {
             svg += fmt::format(

@@ -7,8 +7,10 @@ namespace pxm::host {
 namespace {
 
 constexpr double mark_radius = 3.5;
-constexpr double away = 8;            // from a mark to its label
-constexpr double letter_width = 5.4;  // mean, of a font of 10.5 units
+constexpr double away = 8;  // from a mark to its label
+// Of a font of 10.5 units. Which font a browser has for Georgia is not known here: the digits of
+// DejaVu Serif, which Linux has, are the widest.
+constexpr double letter_width = 6.7;
 constexpr double line_height = 11;
 constexpr double steps[] = {0, -11, 11, -22, 22, -33, 33};  // up and down from the mark
 

@@ -27,6 +27,8 @@ class LabelPlacer {
     explicit LabelPlacer(const PlotArea& inside) : inside_(inside) {}
     /// Keeps the labels that follow clear of a mark.
     void mark(double x, double y);
+    /// Keeps the labels that follow clear of a part of the plot, the legend's for example.
+    void keep_clear(const PlotArea& area) { taken_.push_back(area); }
     /// The place of a label beside (x, y); nothing where there is no room.
     [[nodiscard]] std::optional<LabelPlace> place(double x, double y, const std::string& text);
 

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <string>
 
 #include "host/study/page/plot.hpp"
 #include "host/study/page/plot_labels.hpp"
@@ -67,7 +69,7 @@ TEST(Plot, what_an_axis_cannot_show_is_left_out) {
 TEST(Plot, a_label_stands_beside_its_mark_and_on_no_other) {
     LabelPlacer placer({0, 0, 300, 100});
     placer.mark(50, 50);
-    placer.mark(100, 50);
+    placer.mark(120, 50);
     const auto first = placer.place(50, 50, "seven l");
     const auto second = placer.place(50, 50, "seven l");
     ASSERT_TRUE(first && second);
@@ -84,6 +86,38 @@ TEST(Plot, a_label_without_room_is_left_out) {
     placer.mark(150, 5);
     EXPECT_FALSE(placer.place(150, 5, std::string(100, 'x')));
     EXPECT_FALSE(LabelPlacer({0, 0, 300, 8}).place(20, 4, "higher than the room"));
+}
+
+TEST(Plot, a_label_stays_out_of_what_is_kept_clear) {
+    LabelPlacer placer({0, 0, 300, 100});
+    placer.mark(150, 50);
+    placer.keep_clear({150, 0, 300, 100});
+    const auto place = placer.place(150, 50, "levels 6");
+    ASSERT_TRUE(place);
+    EXPECT_STREQ(place->anchor, "end");
+}
+
+// A point at the right edge of the axes, at the height of any name of the legend: its label stands
+// left of it, wherever a measured time has put it.
+TEST(Plot, no_label_lies_on_the_legend) {
+    for (int row = 0; row <= 60; ++row) {
+        LinePlot plot;
+        plot.series = {{"corner", {{0, 0, ""}, {10, 60, ""}}},
+                       {"numeric double", {{10, static_cast<double>(row), "", false, "levels 6"}}}};
+        const std::string svg = svg_of(plot);
+        const auto label = svg.find("class=\"label\">levels 6");
+        ASSERT_NE(label, std::string::npos) << row;
+        const auto name = svg.find(">numeric double<");
+        const auto number = [&](std::size_t before, const char* key) {
+            return std::stod(svg.substr(svg.rfind(key, before) + std::string(key).size()));
+        };
+        const bool starts = svg.rfind("\"start\"", label) > svg.rfind("<text", label) &&
+                            svg.rfind("\"start\"", label) != std::string::npos;
+        const double x = number(label, " x=\"");
+        const double right = starts ? x + 8 * 6.7 : x;
+        const bool same_height = std::abs(number(label, " y=\"") - number(name, " y=\"")) < 12;
+        EXPECT_FALSE(same_height && right > number(name, " x=\"")) << row;
+    }
 }
 
 TEST(Plot, only_labelled_points_are_named) {
