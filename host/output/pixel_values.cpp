@@ -34,11 +34,12 @@ class ByteTable {
     }
 
     [[nodiscard]] unsigned char of(float linear) const {
-        if (!(linear > 0)) return 0;
-        const auto bits = std::bit_cast<std::uint32_t>(std::min(linear, 1.0F));
-        std::uint32_t byte = least_[bits >> table_shift];
-        while (begins_[byte + 1] <= bits) ++byte;
-        return static_cast<unsigned char>(byte);
+        const float inside = linear > 0 ? std::min(linear, 1.0F) : 0.0F;
+        const auto bits = std::bit_cast<std::uint32_t>(inside);
+        const std::uint32_t byte = least_[bits >> table_shift];
+        // A byte is wider than the values that share their first bits: there is one step at most,
+        // and a sum instead of a branch that nobody foresees.
+        return static_cast<unsigned char>(byte + (begins_[byte + 1] <= bits ? 1U : 0U));
     }
 
   private:
@@ -100,8 +101,15 @@ unsigned char srgb_byte(float linear) { return byte_table().of(linear); }
 
 void put_srgb_bytes(std::span<const PixelRecord> pixels, unsigned char* to) {
     const ByteTable& table = byte_table();  // asked for once: it is behind a guard
+    const PixelRecord* last = nullptr;      // neighbours are often alike, as the background is
     for (const PixelRecord& pixel : pixels) {
-        for (const float value : pixel.color) *to++ = table.of(value);
+        if (last != nullptr && std::ranges::equal(pixel.color, last->color)) {
+            std::copy(to - 3, to, to);
+        } else {
+            for (int i = 0; i < 3; ++i) to[i] = table.of(pixel.color[i]);
+        }
+        to += 3;
+        last = &pixel;
     }
 }
 

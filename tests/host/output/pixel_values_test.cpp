@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace pxm::host {
 namespace {
@@ -70,6 +71,19 @@ TEST(Srgb, a_byte_of_what_no_screen_shows_is_the_nearest) {
     EXPECT_EQ(srgb_byte(1), 255);
     EXPECT_EQ(srgb_byte(infinity), 255);
     EXPECT_EQ(srgb_byte(std::numeric_limits<float>::quiet_NaN()), 0);
+}
+
+TEST(Srgb, bytes_of_pixels_are_those_of_each_value_whatever_stands_before) {
+    std::mt19937 random(5);
+    const float values[] = {0,    -0.0F, 0.2F, std::nextafter(0.2F, 1.0F),
+                            0.9F, 7,     -1,   std::numeric_limits<float>::quiet_NaN()};
+    std::vector<PixelRecord> pixels(10'000);
+    for (PixelRecord& pixel : pixels)
+        for (float& part : pixel.color) part = values[random() % (random() % 4 == 0 ? 8 : 2)];
+    std::vector<unsigned char> bytes(3 * pixels.size());
+    put_srgb_bytes(pixels, bytes.data());
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        ASSERT_EQ(int{bytes[i]}, int{srgb_byte(pixels[i / 3].color[i % 3])}) << i;
 }
 
 }  // namespace
