@@ -67,25 +67,42 @@ double test_cost(const CompiledShape& shape) {
 
 }  // namespace
 
-double trial_cost(const CompiledShape& shape, std::uint32_t levels) {
-    CompiledScene scene;
-    scene.size = {rays_a_side, rays_a_side};
-    scene.crop = {0, 0, rays_a_side, rays_a_side};
-    scene.shapes.push_back(shape);
-    scene.cell_cap = cap;
+Trial::Trial(const CompiledShape& shape, std::uint32_t levels)
+    : share_(test_cost(shape) / (std::size(directions) * rays_a_side * rays_a_side)) {
+    scene_.size = {rays_a_side, rays_a_side};
+    scene_.shapes.push_back(shape);
+    scene_.cell_cap = cap;
     CompiledObject object;
     object.constant = 1;
     object.diameter = 2;
     object.levels = levels;
     object.start = shape.start;
-    scene.objects.push_back(object);
-    double tests = 0;
-    for (const glm::dvec3& direction : directions) {
-        scene.camera = view_along(direction, rays_a_side);
-        tests += static_cast<double>(
-            run_reference(scene, {nullptr, Numeric::double_, 1}, {}).rays.volumes_tested);
+    scene_.objects.push_back(object);
+}
+
+/// A row of one side's rays.
+void Trial::go_on() {
+    const long row = next_ % rays_a_side;
+    scene_.camera = view_along(directions[next_ / rays_a_side], rays_a_side);
+    scene_.crop = {0, row, rays_a_side, row + 1};
+    tests_ += static_cast<double>(
+        run_reference(scene_, {nullptr, Numeric::double_, 1}, {}).rays.volumes_tested);
+    ++next_;
+}
+
+double Trial::cost(double enough) {
+    constexpr long rows = rays_a_side * static_cast<long>(std::size(directions));
+    while (next_ < rows && tests_ * share_ < enough) go_on();
+    return tests_ * share_;
+}
+
+bool is_cheaper(Trial& one, double factor, Trial& other) {
+    for (double bound = 64;; bound *= 2) {
+        const double cost = one.cost(bound);
+        if (cost < bound) return cost < factor * other.cost(cost / factor + 1);
+        const double limit = factor * other.cost(bound / factor);
+        if (limit < bound) return one.cost(limit) < limit;
     }
-    return tests * test_cost(shape) / (std::size(directions) * rays_a_side * rays_a_side);
 }
 
 double mean_coverage(const CompiledShape& shape, std::size_t set,

@@ -61,28 +61,9 @@ class Choice {
 
     /// What the attractor fills, if it does. Else spheres or boxes, as they cost less; oriented
     /// boxes or hulls where these cost far more.
-    Volumes cheapest() {
-        if (auto filled = filled_volumes(rifs_, bounds_, computer_)) return *std::move(filled);
-        Volumes best = of_kind(kernels::Volume::sphere);
-        // Spheres stay a pixel thick down to the last cell: curves and sheets edge on are not
-        // missed.
-        if (is_flat(bounds_[start_].box)) return best;
-        double least = cost(best);
-        if (least < dear && has_sheets()) return best;
-        const auto try_kind = [&](kernels::Volume kind) {
-            Volumes volumes = of_kind(kind);
-            const double needed = cost(volumes);
-            if (!(needed < least)) return;
-            least = needed;
-            best = std::move(volumes);
-        };
-        try_kind(kernels::Volume::box);
-        if (least < dear) return best;
-        if (bounds_.size() > most_fitted) return best;
-        least *= clearly_cheaper;
-        try_kind(kernels::Volume::oriented);
-        try_kind(kernels::Volume::hull);
-        return best;
+    const Volumes& cheapest() {
+        if (!cheapest_) cheapest_ = find_cheapest();
+        return *cheapest_;
     }
 
     /// A declared volume, and in sets that stick out of it what suits it. `short_by` of each set.
@@ -99,15 +80,45 @@ class Choice {
         return volumes;
     }
 
-    [[nodiscard]] double cost(const Volumes& volumes) const {
+    [[nodiscard]] Trial trial_of(const Volumes& volumes) const {
         const Ball& ball = bounds_[start_].ball;
         // The unit ball itself, unlike frame_around: costs must not depend on the scene's lengths.
         const ShapeFrame frame{ball.center, ball.radius > 0 ? ball.radius : 1};
         const auto method = choose_lipschitz(LipschitzMethod::automatic, rifs_);
-        return trial_cost(make_shape(rifs_, volumes, frame, method), levels_);
+        return {make_shape(rifs_, volumes, frame, method), levels_};
     }
 
   private:
+    Volumes find_cheapest() {
+        if (auto filled = filled_volumes(rifs_, bounds_, computer_)) return *std::move(filled);
+        Volumes spheres = of_kind(kernels::Volume::sphere);
+        // Spheres stay a pixel thick down to the last cell: curves and sheets edge on are not
+        // missed.
+        if (is_flat(bounds_[start_].box)) return spheres;
+        Trial trial = trial_of(spheres);
+        if (trial.cost(dear) < dear && has_sheets()) return spheres;
+        Candidate best{std::move(spheres), std::move(trial)};
+        take_if_cheaper(kernels::Volume::box, 1, best);
+        if (best.trial.cost(dear) < dear || bounds_.size() > most_fitted) return best.volumes;
+        const bool clearly = take_if_cheaper(kernels::Volume::oriented, clearly_cheaper, best);
+        take_if_cheaper(kernels::Volume::hull, clearly ? 1 : clearly_cheaper, best);
+        return best.volumes;
+    }
+
+    struct Candidate {
+        Volumes volumes;
+        Trial trial;
+    };
+
+    /// Whether volumes of a kind cost less than `factor` times the best so far, and are that now.
+    bool take_if_cheaper(kernels::Volume kind, double factor, Candidate& best) {
+        Volumes volumes = of_kind(kind);
+        Trial trial = trial_of(volumes);
+        if (!is_cheaper(trial, factor, best.trial)) return false;
+        best = {std::move(volumes), std::move(trial)};
+        return true;
+    }
+
     /// Whether a map makes a sheet or a curve of what is inside.
     [[nodiscard]] bool has_sheets() const {
         return std::ranges::any_of(rifs_.maps, [](const Affine& map) {
@@ -120,6 +131,7 @@ class Choice {
     VolumeComputer computer_;
     std::size_t start_;
     std::uint32_t levels_ = kernels::unlimited_levels;
+    std::optional<Volumes> cheapest_;
 };
 
 const char* name_of(const DeclaredVolume& volume) {
@@ -161,8 +173,12 @@ std::optional<Volumes> declared_volumes(const ObjectBlock& object, const Rifs& r
         return std::nullopt;
     }
     Volumes volumes = choice.with_declared(primitive_volume(declared), short_by);
-    const double cost = choice.cost(volumes);
-    if (cost < hopeless || cost < much_dearer * choice.cost(choice.cheapest())) {
+    Trial trial = choice.trial_of(volumes);
+    const auto is_worth_it = [&] {
+        Trial cheapest = choice.trial_of(choice.cheapest());
+        return is_cheaper(trial, much_dearer, cheapest);
+    };
+    if (trial.cost(hopeless) < hopeless || is_worth_it()) {
         warn_of_levels(object, rifs, short_by, diagnostics);
         return volumes;
     }
