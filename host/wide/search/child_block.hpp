@@ -24,9 +24,16 @@ struct Block {
     int lane = 0;             // in the parent block
     std::uint32_t level = 0;  // of the children
     bool last = false;        // they are terminal whatever their size
+    int stride = 0;           // of the rows: block_stride() of the set
     float* rows = nullptr;
     int* opened = nullptr;  // the block of each child, or -1
 };
+
+/// How far the rows of a set's blocks are apart. Few children are kept close together, in lanes of
+/// their number: a tile opens cells by the ten thousand, and they share the cache.
+[[nodiscard]] inline int block_stride(const WideSet& set) {
+    return set.count <= 4 ? 4 : set.count <= 8 ? 8 : set.stride;
+}
 
 /// Floats and ints that live until the packet is done: 128 MiB until it is full, and a cell more.
 class Arena {
@@ -35,7 +42,7 @@ class Arena {
         chunk_ = 0;
         used_ = 0;
     }
-    /// Room for so many floats, a multiple of table_step.
+    /// Room for so many floats, a multiple of four.
     [[nodiscard]] float* floats(std::size_t count);
     [[nodiscard]] int* ints(std::size_t count) { return reinterpret_cast<int*>(floats(count)); }
     [[nodiscard]] bool is_full() const { return chunk_ >= most_chunks; }

@@ -35,23 +35,10 @@ struct Opening {
     int lane;
 };
 
-/// Makes the block of a cell's children.
-inline int make_block(const WideScene& scene, SearchWorkspace& work, const Opening& cell,
-                      std::uint32_t last_level) {
-    const hn::ScalableTag<float> d;
-    using V = hn::VFromD<decltype(d)>;
-    const WideSet& set = scene.sets[static_cast<std::size_t>(cell.set)];
-    const int stride = set.stride;
-    Block block;
-    block.set = cell.set;
-    block.parent = cell.parent;
-    block.lane = cell.lane;
-    block.level = cell.level + 1;
-    block.last = block.level == last_level;
-    const int rows = set.polar ? Block::polar_rows : Block::product_rows;
-    block.rows = work.arena.floats(static_cast<std::size_t>(rows * stride));
-    block.opened = work.arena.ints(static_cast<std::size_t>(stride));
-    for (int i = 0; i < stride; ++i) block.opened[i] = -1;
+/// Composes the maps of a cell's children into the rows of a block.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE void fill_block(D d, const WideSet& set, const Opening& cell, const Block& block) {
+    const int stride = block.stride;
     const auto outer = [&](const float* from, int row) HWY_ATTR {
         const float* p = from + 3 * row * cell.stride;
         return Lanes3<V>{hn::Set(d, p[0]), hn::Set(d, p[cell.stride]),
@@ -59,16 +46,16 @@ inline int make_block(const WideScene& scene, SearchWorkspace& work, const Openi
     };
     for (int i = 0; i < stride; i += static_cast<int>(hn::Lanes(d))) {
         const float* table = set.f32.row(0) + i;
-        const Lanes3x3<V> k = load3x3(d, table, stride);
+        const Lanes3x3<V> k = load3x3(d, table, set.stride);
         for (int r = 0; r < 3; ++r) {
             store3(transform(outer(cell.map, r), k), d, block.rows + 3 * r * stride + i, stride);
         }
         store3(add(transform(outer(cell.map, 3), k),
-                   load3(d, table + ChildField::offset * stride, stride)),
+                   load3(d, table + ChildField::offset * set.stride, set.stride)),
                d, block.rows + 9 * stride + i, stride);
-        V diameter = hn::LoadU(d, table + ChildField::diameter * stride);
+        V diameter = hn::LoadU(d, table + ChildField::diameter * set.stride);
         if (set.polar) {
-            const Lanes3x3<V> t = load3x3(d, table + ChildField::forward * stride, stride);
+            const Lanes3x3<V> t = load3x3(d, table + ChildField::forward * set.stride, set.stride);
             const Lanes3x3<V> linear{
                 {outer(cell.linear, 0), outer(cell.linear, 1), outer(cell.linear, 2)}};
             const Lanes3x3<V> inner{{transform(t.row[0], linear), transform(t.row[1], linear),
@@ -78,13 +65,39 @@ inline int make_block(const WideScene& scene, SearchWorkspace& work, const Openi
             }
             diameter = hn::Mul(diameter, largest_singular_value(d, inner));
         } else {
-            const V constant = hn::Mul(hn::LoadU(d, table + ChildField::constant * stride),
+            const V constant = hn::Mul(hn::LoadU(d, table + ChildField::constant * set.stride),
                                        hn::Set(d, cell.constant));
             hn::StoreU(constant, d, block.rows + Block::constant * stride + i);
             diameter = hn::Mul(diameter, constant);
         }
         hn::StoreU(diameter, d, block.rows + Block::diameter * stride + i);
     }
+}
+
+/// Calls f with the lanes that suit rows so far apart.
+template <class F>
+HWY_INLINE auto with_lanes_for(int stride, const F& f) {
+    if (stride == 4) return f(hn::CappedTag<float, 4>());
+    if (stride == 8) return f(hn::CappedTag<float, 8>());
+    return f(hn::ScalableTag<float>());
+}
+
+/// Makes the block of a cell's children.
+inline int make_block(const WideScene& scene, SearchWorkspace& work, const Opening& cell,
+                      std::uint32_t last_level) {
+    const WideSet& set = scene.sets[static_cast<std::size_t>(cell.set)];
+    Block block;
+    block.set = cell.set;
+    block.parent = cell.parent;
+    block.lane = cell.lane;
+    block.level = cell.level + 1;
+    block.last = block.level == last_level;
+    block.stride = block_stride(set);
+    const int rows = set.polar ? Block::polar_rows : Block::product_rows;
+    block.rows = work.arena.floats(static_cast<std::size_t>(rows * block.stride));
+    block.opened = work.arena.ints(static_cast<std::size_t>(block.stride));
+    for (int i = 0; i < block.stride; ++i) block.opened[i] = -1;
+    with_lanes_for(block.stride, [&](auto d) HWY_ATTR { fill_block(d, set, cell, block); });
     work.blocks.push_back(block);
     return static_cast<int>(work.blocks.size()) - 1;
 }
@@ -97,9 +110,9 @@ inline int open_cell(const WideScene& scene, SearchWorkspace& work, int block_in
     const WideSet& set = scene.sets[static_cast<std::size_t>(block.set)];
     int* opened = block.opened;
     const Opening cell{block.rows + lane,
-                       block.rows + Block::linear * set.stride + lane,
-                       set.stride,
-                       set.polar ? 0.0F : block.rows[Block::constant * set.stride + lane],
+                       block.rows + Block::linear * block.stride + lane,
+                       block.stride,
+                       set.polar ? 0.0F : block.rows[Block::constant * block.stride + lane],
                        set.sets[static_cast<std::size_t>(lane)],
                        block.level,
                        block_index,
@@ -134,12 +147,10 @@ HWY_INLINE Lanes3<V> rounding_room(D d, const Lanes3x3<V>& map) {
 
 /// Tests children of a block, from `met.first` on: those that the ray meets within [key, exit] and
 /// nearer than its best. False if the ray lies in the face of a box, where floats cannot tell.
-template <bool spheres>
-[[nodiscard]] inline bool meet_children(const Block& block, const WideSet& set,
-                                        const RayInEntry& ray, float key, float exit,
-                                        MetChildren& met) {
-    const hn::ScalableTag<float> d;
-    using V = hn::VFromD<decltype(d)>;
+template <bool spheres, class D, class V = hn::VFromD<D>>
+[[nodiscard]] HWY_INLINE bool meet_children(D d, const Block& block, const RayInEntry& ray,
+                                            float key, float exit, MetChildren& met) {
+    const int stride = block.stride;
     const Lanes3<V> origin = broadcast(d, ray.origin);
     const Lanes3<V> direction = broadcast(d, ray.direction);
     const V outer_key = hn::Set(d, key), outer_exit = hn::Set(d, exit);
@@ -148,9 +159,8 @@ template <bool spheres>
     met.waiting = met.terminal = 0;
     for (int i = 0; i < met.count; i += static_cast<int>(hn::Lanes(d))) {
         const float* rows = block.rows + met.first + i;
-        const Lanes3x3<V> map = load3x3(d, rows, set.stride);
-        const Lanes3<V> o =
-            add(transform(origin, map), load3(d, rows + 9 * set.stride, set.stride));
+        const Lanes3x3<V> map = load3x3(d, rows, stride);
+        const Lanes3<V> o = add(transform(origin, map), load3(d, rows + 9 * stride, stride));
         const Lanes3<V> v = transform(direction, map);
         const LaneInterval<V> inside = spheres ? in_unit_ball(d, o, v) : in_unit_cube(d, o, v);
         const auto filled = hn::FirstN(d, static_cast<std::size_t>(met.count - i));
@@ -169,7 +179,7 @@ template <bool spheres>
         const V p = hn::Max(
             hn::Add(hn::Set(d, ray.pixel_base), hn::Mul(hn::Set(d, ray.pixel_growth), from)),
             hn::Set(d, ray.pixel_least));
-        const V diameter = hn::LoadU(d, rows + Block::diameter * set.stride);
+        const V diameter = hn::LoadU(d, rows + Block::diameter * stride);
         hn::StoreU(from, d, met.key + i);
         hn::StoreU(hn::Max(from, to), d, met.exit + i);
         met.waiting |= lane_bits(d, here) << i;
@@ -223,8 +233,10 @@ inline bool follow_ray(const WideScene& scene, SearchWorkspace& work, RayInEntry
             met.block = index;
             met.first = first;
             met.count = std::min(MetCells::room, set.count - first);
-            const bool clear = set.spheres ? meet_children<true>(block, set, ray, from, to, met)
-                                           : meet_children<false>(block, set, ray, from, to, met);
+            const bool clear = with_lanes_for(block.stride, [&](auto d) HWY_ATTR {
+                return set.spheres ? meet_children<true>(d, block, ray, from, to, met)
+                                   : meet_children<false>(d, block, ray, from, to, met);
+            });
             if (!clear) found.given_up = true;
         }
     };

@@ -48,7 +48,7 @@ inline bool take_own_maps(const WideScene& scene, const Workspace& work, const P
     int child = found.lane;
     for (int k = own - 1, index = found.block; k >= 0; --k) {
         const Block& block = blocks[index];
-        const int stride = scene.sets[static_cast<std::size_t>(block.set)].stride;
+        const int stride = block.stride;
         for (int i = 0; i < 12; ++i) t.map[k][i][lane] = block.rows[i * stride + child];
         t.diameter[k][lane] = block.rows[Block::diameter * stride + child];
         children[static_cast<std::size_t>(k)] = {block.set, child};
