@@ -1,6 +1,7 @@
 #include "host/fractal/dimension/zoom.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double cells_a_side = 2;     // cells are at most a side over this
 constexpr double cells_a_side_3d = 1;  // where that would be too many
-constexpr int grids = 4;               // places of the grid that are tried at each scale
+constexpr std::size_t grids = 4;       // places of the grid that are tried at each scale
 constexpr std::size_t most_around = 5000;
 constexpr long most_visits = 400'000;  // of one step
 
@@ -45,6 +46,14 @@ ZoomSystem::ZoomSystem(const Rifs& system, const std::vector<Bounds>& bounds)
         std::vector<double>& own = choice.emplace_back();
         for (const int m : rifs.follow_sets[s].maps) own.push_back(weights[m] / sum);
     }
+    double farthest = 0;
+    for (std::size_t m = 0; m < rifs.maps.size(); ++m) {
+        seen.push_back(rifs.maps[m].point(center[static_cast<std::size_t>(rifs.follow_of[m])]));
+        farthest = std::max(farthest, glm::length(seen.back()));
+    }
+    for (std::size_t s = 0; s < bounds.size(); ++s)
+        farthest = std::max(farthest, glm::length(center[s]) + diameter[s]);
+    rounding = 1e-13 * farthest;
     const glm::dvec3 extent = bounds[rifs.start].box.high - bounds[rifs.start].box.low;
     const double thin = std::min({extent.x, extent.y, extent.z});
     finest = 1 / (thin > 1e-3 * diameter[rifs.start] ? cells_a_side_3d : cells_a_side);
@@ -78,6 +87,13 @@ bool Zoom::choose_place(double largest, Dice& dice, long& visits) {
     return true;
 }
 
+bool Zoom::is_away(const Cell& cell, int map, double reach) const {
+    const ZoomSystem& system = *system_;
+    const double most = cell.size * system.lip[map] * system.diameter[system.rifs.follow_of[map]];
+    const glm::dvec3 away = glm::abs(cell.map.point(system.seen[map]) - place_);
+    return largest_part(away) > (reach + most / 2) * (1 + 1e-9) + system.rounding;
+}
+
 bool Zoom::gather(double side, double largest, long& visits) {
     const double reach = side + largest;
     std::vector<Cell> open = std::move(around_);
@@ -100,25 +116,32 @@ bool Zoom::gather(double side, double largest, long& visits) {
         visits += static_cast<long>(maps.size());
         if (left < 0) return false;
         for (std::size_t i = 0; i < maps.size(); ++i) {
-            open.push_back(child(cell, maps[i], system_->choice[cell.set][i]));
+            if (is_away(cell, maps[i], reach)) {  // as it would be when its turn came
+                ++visits;
+                if (--left < 0) return false;
+            } else {
+                open.push_back(child(cell, maps[i], system_->choice[cell.set][i]));
+            }
         }
     }
     return true;
 }
 
 double Zoom::one_over_measure(double side, Dice& dice) const {
-    double sum = 0;
-    for (int n = 0; n < grids; ++n) {
-        const glm::dvec3 corner = place_ - side * glm::dvec3{dice.next(), dice.next(), dice.next()};
-        double measure = 0;
-        for (const Cell& cell : around_) {
-            const glm::dvec3 in = cell.map.point(system_->inner[cell.set]) - corner;
-            if (std::min({in.x, in.y, in.z}) >= 0 && largest_part(in) < side) {
-                measure += cell.measure;
-            }
+    std::array<glm::dvec3, grids> corners;
+    for (glm::dvec3& corner : corners)
+        corner = place_ - side * glm::dvec3{dice.next(), dice.next(), dice.next()};
+    std::array<double, grids> measures{};
+    for (const Cell& cell : around_) {
+        const glm::dvec3 point = cell.map.point(system_->inner[cell.set]);
+        for (std::size_t n = 0; n < grids; ++n) {
+            const glm::dvec3 in = point - corners[n];
+            if (std::min({in.x, in.y, in.z}) >= 0 && largest_part(in) < side)
+                measures[n] += cell.measure;
         }
-        sum += 1 / std::max(measure, own_.measure);
     }
+    double sum = 0;
+    for (const double measure : measures) sum += 1 / std::max(measure, own_.measure);
     return sum / grids;
 }
 

@@ -22,6 +22,8 @@ struct ZoomSystem {
     std::vector<double> diameter;    // per follow set: of a ball around E_s
     std::vector<glm::dvec3> center;  // and its centre
     std::vector<glm::dvec3> inner;   // per follow set: a point of E_s
+    std::vector<glm::dvec3> seen;    // per map: its image of the centre of what may stand inside
+    double rounding = 0;             // that such points may be off by, wherever a cell puts them
     bool similitudes = true;         // the constants of words are the products of the maps'
     double finest = 0;               // the diameter of cells that are points, of a box's side
     std::vector<std::vector<double>> choice;  // per follow set: the maps' probabilities
@@ -58,6 +60,8 @@ class Zoom {
     };
 
     [[nodiscard]] Cell child(const Cell& cell, int map, double probability) const;
+    /// Whether a child is clearly too far away to be made. `reach` as in gather().
+    [[nodiscard]] bool is_away(const Cell& cell, int map, double reach) const;
     [[nodiscard]] bool choose_place(double largest, Dice& dice, long& visits);
     [[nodiscard]] bool gather(double side, double largest, long& visits);
     [[nodiscard]] double one_over_measure(double side, Dice& dice) const;
