@@ -11,7 +11,7 @@ work=$(mktemp -d)
 trap 'rm -rf --one-file-system -- "$work"' EXIT
 
 fetch() {
-    mkdir -p "$work/root" "$work/packages"
+    mkdir -p "$work/root/usr/lib" "$work/packages"
     (cd "$work/packages" && apt-get -q download "$@" >log 2>&1) || {
         cat "$work/packages/log" >&2
         echo "not tried: $* cannot be fetched" >&2
