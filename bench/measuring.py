@@ -1,6 +1,6 @@
 """What bench/renders and bench/peers/peers share: building, describing a scene, running variants in
 alternation, medians, tables."""
-import json, os, statistics, subprocess, sys
+import json, os, re, statistics, subprocess, sys, time
 
 sys.dont_write_bytecode = True
 
@@ -92,6 +92,37 @@ def show_ratio(slow, fast):
     if slow is None or fast is None or slow.median() is None or fast.median() is None:
         return "-"
     return f"{slow.median() / fast.median():.2f}"
+
+
+def peak_megabytes(process):
+    """The most memory so far of a process that runs. Not what wait4() tells of one that has ended: that
+    begins at what its parent had, which is this program with its interpreter."""
+    try:
+        with open(f"/proc/{process}/status") as status:
+            return int(re.search(r"VmHWM:\s*(\d+)", status.read())[1]) / 1024
+    except (OSError, TypeError):
+        return 0
+
+
+def empty_cache():
+    """As root: what a first start after the computer's costs."""
+    os.sync()
+    with open("/proc/sys/vm/drop_caches", "w") as file:
+        file.write("3")
+
+
+def to_file(command, folder, watched=False):
+    """Seconds on the clock of a whole command; if it is `watched`, the most megabytes that it had instead."""
+    begin = time.perf_counter()
+    child = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                             stderr=subprocess.DEVNULL)
+    memory = 0
+    while watched and child.poll() is None:
+        memory = max(memory, peak_megabytes(child.pid))
+        time.sleep(0.0005)
+    if child.wait() != 0:
+        raise subprocess.CalledProcessError(child.returncode, command)
+    return memory if watched else time.perf_counter() - begin
 
 
 def header(columns):
