@@ -1,5 +1,5 @@
-# `cmake --install`: the component `runtime` is the program with what it reads, `development` the
-# libraries with their headers. A tree that was installed may be moved as a whole.
+# `cmake --install`: the component `runtime` is the program with what it reads, `formats` the module
+# with OpenImageIO, `development` the libraries with their headers. A tree that was installed may be moved as a whole.
 
 # public_headers(VARIABLE HEADER...): these headers of host/, and all that they include.
 function(public_headers variable)
@@ -69,7 +69,8 @@ configure_file(cmake/pxm.pc.in ${CMAKE_BINARY_DIR}/install/pxm.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/install/pxm.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
 install(TARGETS pxm_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
-install(TARGETS pxm_openimageio pxm_openexr LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT runtime)
+install(TARGETS pxm_openexr LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT runtime)
+install(TARGETS pxm_openimageio LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT formats)
 install(DIRECTORY scenes DESTINATION ${PXM_INSTALL_DATA} COMPONENT runtime FILES_MATCHING PATTERN "*.pxm"
     PATTERN gallery EXCLUDE)
 install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)

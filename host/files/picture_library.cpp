@@ -46,7 +46,8 @@ PictureLibrary& picture_library() {
     static PictureLibrary& library = []() -> PictureLibrary& {
         forget_plugins();
         return *load(picture_module, picture_module_function,
-                     "OpenImageIO, for pictures other than PNG and EXR,");
+                     "OpenImageIO, which reads pictures and writes other than PNG and EXR (in the "
+                     "package pxm-formats),");
     }();
     return library;
 }
