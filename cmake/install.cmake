@@ -1,5 +1,6 @@
 # `cmake --install`: the component `runtime` is the program with what it reads, `formats` the module
-# with OpenImageIO, `development` the libraries with their headers. A tree that was installed may be moved as a whole.
+# with OpenImageIO, `development` the libraries with their headers, `python` the Python module (python/CMakeLists.txt). A
+# tree that was installed may be moved as a whole.
 
 # public_headers(VARIABLE HEADER...): these headers of host/, and all that they include.
 function(public_headers variable)
