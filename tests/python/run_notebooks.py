@@ -27,6 +27,8 @@ def run_cell(source, names, where):
         value = eval(compile(ast.Expression(last.value), where, "eval"), names)
         if value is not None:
             print(shown(value))
+    if "matplotlib.pyplot" in sys.modules:  # a notebook shows a cell's figures and begins anew
+        sys.modules["matplotlib.pyplot"].close("all")
 
 
 def run(path):

@@ -147,7 +147,7 @@ class Render(unittest.TestCase):
     def test_a_frame_of_a_film(self):
         film = pxm.Scene(
             "animation { frames: 3 }\ncamera { eye: 0,0,-4 look: 0,0,0 }\n"
-            "ifs a { newmap scale: 0.5 newmap scale: 0.5 translate: key(t: 0 -> 0.5, 1 -> 1),0,0 }"
+            "ifs a { newmap scale: 0.5 newmap scale: 0.5 translate: 1,0,0 newmap scale: 0.5 translate: 0,key(t: 0 -> 0.5, 1 -> 1),0 }"
         )
         self.assertEqual(film.frames, 3)
         first, last = (film.render(size=(48, 36), frame=frame).word for frame in (0, 2))
