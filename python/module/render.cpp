@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -100,10 +101,31 @@ RenderRequest request_of(const ReadScene& scene, const Options& options) {
     return request;
 }
 
+/// Puts the picture together of what threads have just rendered and still have in their caches: to
+/// render into the memory of the whole takes longer.
+class WholeFrame : public PictureTaker {
+  public:
+    void begin(const RenderResult& known) override {
+        frame_ = Frame(known.statistics.size, known.window);
+    }
+    void take(const Frame& part) override {
+        const long left = part.crop.x0;
+        for (long y = part.crop.y0; y < part.crop.y1; ++y)
+            std::copy_n(&part.at(left, y), part.columns(), &frame_.at(left, y));
+    }
+    [[nodiscard]] Frame frame() && { return std::move(frame_); }
+
+  private:
+    Frame frame_;
+};
+
 RenderResult rendered(const ReadScene& scene, const Options& options, const py::object& progress) {
     RenderResult result;
-    watch(progress,
-          [&](const RunControl& control) { result = render(request_of(scene, options), control); });
+    watch(progress, [&](const RunControl& control) {
+        WholeFrame whole;
+        result = render(request_of(scene, options), control, &whole);
+        result.frame = std::move(whole).frame();
+    });
     return result;
 }
 
