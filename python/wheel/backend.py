@@ -2,11 +2,12 @@
 scenes and the module for OpenEXR; OpenImageIO it leaves to the system, as the wheel is for the system that made it.
 
 Settings, by `pip wheel --config-settings NAME=VALUE`: `build`, a folder to build in that is kept (else one that is removed),
-and `jobs`, how many compilers at a time."""
+and `jobs`, how many compilers at a time. What the variable CMAKE_ARGS says is handed to CMake."""
 import base64
 import hashlib
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -39,7 +40,7 @@ def build_in(folder, jobs):
     subprocess.run(["cmake", "-S", TOP, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DPXM_BUILD_TESTS=OFF",
                     "-DPXM_LOOK_IN_BUILD=OFF", "-DPXM_PYTHON=ON", f"-DPython3_EXECUTABLE={sys.executable}",
                     "-DCMAKE_INSTALL_PREFIX=/wheel", "-DCMAKE_INSTALL_LIBDIR=pxm/lib", "-DCMAKE_INSTALL_DATADIR=pxm/share",
-                    "-DPXM_INSTALL_PYTHON=."], check=True)
+                    "-DPXM_INSTALL_PYTHON=.", *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
     subprocess.run(["cmake", "--build", folder, "--target", "pxm_python", *(["--parallel", jobs] if jobs else [])], check=True)
 
 
