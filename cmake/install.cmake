@@ -24,6 +24,9 @@ endfunction()
 
 # docs/library.md says what is in them.
 public_headers(headers
+    host/engine/engine.hpp
+    host/engine/frame.hpp
+    host/engine/statistics.hpp
     host/error.hpp
     host/files/installed_places.hpp
     host/fractal/bounds/bounds.hpp
@@ -39,6 +42,8 @@ public_headers(headers
     host/scene/check/check.hpp
     host/scene/parse/parser.hpp
     host/scene/print/print.hpp
+    host/scene/diagnostics.hpp
+    host/scene/scene.hpp
     host/scene/scene_path.hpp)
 foreach(header ${headers})
     get_filename_component(folder ${header} DIRECTORY)
