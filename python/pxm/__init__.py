@@ -10,6 +10,7 @@ docs/python.md says the rest.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import wraps
 from typing import Concatenate, ParamSpec
 
 import numpy as np
@@ -84,10 +85,10 @@ _P = ParamSpec("_P")
 def _of_source(
     model: Callable[Concatenate[Scene, _P], Picture]
 ) -> Callable[Concatenate[Source, _P], Picture]:
+    @wraps(model)
     def render(scene: Source, /, *args: _P.args, **options: _P.kwargs) -> Picture:
         return model(scene_of(scene), *args, **options)
 
-    render.__doc__ = "Renders a scene, by its name or path or as an object: Scene.render()."
     return render
 
 

@@ -6,6 +6,7 @@ import html
 import os
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import wraps
 from typing import Any, Concatenate, ParamSpec, Union
 
 import numpy as np
@@ -48,6 +49,14 @@ def _render(
     cost_model: str | os.PathLike[str] | None = None,
     progress: Progress = None,
 ) -> Picture:
+    """Renders a scene: the options are those of `pxm render`, and what is not given is the scene's.
+
+    size, crop   (columns, rows), and the window (x0, y0, x1, y1) of it
+    frame        of a film, from 0
+    threads      0: as many as the system grants
+    machine      a model of the Pixel Machine to render on, with the costs of `cost_model`, a file
+    progress     a function that is called with the share done; False: nothing is shown
+    """
     options = _core.Options()
     if size is not None:
         options.size = "x".join(str(int(side)) for side in size)
@@ -249,6 +258,7 @@ def _system(
 def _on_machine(
     model: Callable[Concatenate[Scene, P], Picture]
 ) -> Callable[Concatenate[Machine, Source, P], Picture]:
+    @wraps(model)
     def render(self: Machine, scene: Source, /, *args: P.args, **options: P.kwargs) -> Picture:
         options["machine"], options["cost_model"] = self.model, self.cost_model
         return model(scene_of(scene), *args, **options)
