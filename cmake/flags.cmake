@@ -13,3 +13,10 @@ if(PXM_SANITIZE)
         -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(pxm_flags INTERFACE -fsanitize=address,undefined)
 endif()
+
+# goes_into_shared_libraries(LIBRARY): the Python module is one, and a user of libpxm-dev may make others. What they
+# do not export, the compiler may inline, and calls without detours.
+function(goes_into_shared_libraries library)
+    set_target_properties(${library} PROPERTIES
+        POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+endfunction()

@@ -1,5 +1,6 @@
-# `cmake --install`: the component `runtime` is the program with what it reads, `development` the
-# libraries with their headers. A tree that was installed may be moved as a whole.
+# `cmake --install`: the component `runtime` is the program with what it reads, `formats` the module
+# with OpenImageIO, `development` the libraries with their headers, `python` the Python module (python/CMakeLists.txt). A
+# tree that was installed may be moved as a whole.
 
 # public_headers(VARIABLE HEADER...): these headers of host/, and all that they include.
 function(public_headers variable)
@@ -23,6 +24,9 @@ endfunction()
 
 # docs/library.md says what is in them.
 public_headers(headers
+    host/engine/engine.hpp
+    host/engine/frame.hpp
+    host/engine/statistics.hpp
     host/error.hpp
     host/files/installed_places.hpp
     host/fractal/bounds/bounds.hpp
@@ -38,6 +42,8 @@ public_headers(headers
     host/scene/check/check.hpp
     host/scene/parse/parser.hpp
     host/scene/print/print.hpp
+    host/scene/diagnostics.hpp
+    host/scene/scene.hpp
     host/scene/scene_path.hpp)
 foreach(header ${headers})
     get_filename_component(folder ${header} DIRECTORY)
@@ -69,7 +75,8 @@ configure_file(cmake/pxm.pc.in ${CMAKE_BINARY_DIR}/install/pxm.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/install/pxm.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
 install(TARGETS pxm_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
-install(TARGETS pxm_openimageio pxm_openexr LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT runtime)
+install(TARGETS pxm_openexr LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT runtime)
+install(TARGETS pxm_openimageio LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT formats)
 install(DIRECTORY scenes DESTINATION ${PXM_INSTALL_DATA} COMPONENT runtime FILES_MATCHING PATTERN "*.pxm"
     PATTERN gallery EXCLUDE)
 install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)

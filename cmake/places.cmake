@@ -20,6 +20,13 @@ option(PXM_LOOK_IN_BUILD "Programs find modules and scenes where they were built
 if(PXM_LOOK_IN_BUILD)
     set(built_modules ${CMAKE_BINARY_DIR}/lib/pxm)
     set(source_data ${PROJECT_SOURCE_DIR})
+else()
+    # Its date is that of the commit that it is made of, also where the folder was configured before.
+    execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} rev-parse --path-format=absolute --git-path logs/HEAD
+        OUTPUT_VARIABLE commits OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    if(EXISTS "${commits}")
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${commits})
+    endif()
 endif()
 
 set(modules ${CMAKE_INSTALL_FULL_LIBDIR}/pxm)

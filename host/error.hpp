@@ -20,18 +20,18 @@ enum class ErrorKind {
 
 /// One thing that is wrong in a text, and where it stands.
 struct Mistake {
-    std::string file;
-    int line = 1;    // from 1
-    int column = 1;  // in bytes, from 1
-    std::string message;
+    std::string file;     // its name as it was given
+    int line = 1;         // from 1
+    int column = 1;       // in bytes, from 1
+    std::string message;  // what is wrong, without the place
 };
 
 /// what() is the whole message, of several lines if there is more to say.
 class Error : public std::runtime_error {
-  public:
+  public:  /// `mistakes` are those of a scene.
     Error(ErrorKind kind, const std::string& message, std::vector<Mistake> mistakes = {})
         : std::runtime_error(message), kind_(kind), mistakes_(std::move(mistakes)) {}
-
+    /// What kind of thing is wrong.
     [[nodiscard]] ErrorKind kind() const noexcept { return kind_; }
     /// Of a scene: everything that was found wrong, in the order of the text. Else empty.
     [[nodiscard]] const std::vector<Mistake>& mistakes() const noexcept { return mistakes_; }

@@ -1,5 +1,5 @@
 // Who may include whom, and what a room of the house must not know:
-//   host/ --> dsp_kernels/ --> pxm/       nothing points back, nothing includes tests/
+//   python/ --> host/ --> dsp_kernels/ --> pxm/    nothing points back, nothing includes tests/
 // and so do the rooms of host/, by the list of floors below.
 // The rules are a function of paths and texts, so that the tests can show that it sees what is
 // wrong.
@@ -51,6 +51,7 @@ const Rule library_rules[] = {
     {R"(#include\s*<boost/multiprecision/)",
      "host/(math/precise\\.cpp|import/lsystem/long_number\\.hpp)", "Boost.Multiprecision"},
     {R"(#include\s*<boost/(asio|beast)/)", "host/studio/http_server\\.cpp", "Boost.Beast"},
+    {R"(#include\s*<pybind11/)", "python/module/.*", "pybind11"},
 };
 
 // The floors of a part of the house, from the ground up. A room may know what stands before it;
@@ -113,7 +114,7 @@ std::string room(const std::string& path) { return path.substr(0, path.find('/')
 
 /// Lower is nearer to the machine: a room may include itself and what is lower.
 int height(const std::string& path) {
-    static const std::vector<std::string> rooms{"pxm", "dsp_kernels", "host", "tests"};
+    static const std::vector<std::string> rooms{"pxm", "dsp_kernels", "host", "python", "tests"};
     return static_cast<int>(std::ranges::find(rooms, room(path)) - rooms.begin());
 }
 
@@ -188,7 +189,7 @@ Complaints check(const std::vector<SourceText>& sources) {
 
 std::vector<SourceText> sources_of_the_tree() {
     std::vector<SourceText> sources;
-    for (const char* top : {"pxm", "dsp_kernels", "host", "tests"}) {
+    for (const char* top : {"pxm", "dsp_kernels", "host", "python", "tests"}) {
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_dir) / top)) {
             const fs::path& path = entry.path();
             const std::set<fs::path> kinds{".hpp", ".cpp", ".inl"};
@@ -239,6 +240,8 @@ TEST(Architecture, nothing_points_back) {
                 ElementsAre("dsp_kernels/a.hpp: must not include host/scene/scene.hpp"));
     EXPECT_THAT(complaints_about("host/engine/a.cpp", "#include \"tests/support/paths.hpp\"\n"),
                 ElementsAre("host/engine/a.cpp: must not include tests/support/paths.hpp"));
+    EXPECT_THAT(complaints_about("python/module/a.cpp", "#include \"host/error.hpp\"\n"),
+                IsEmpty());
 }
 
 TEST(Architecture, rooms_of_the_host_only_point_down) {
@@ -286,6 +289,7 @@ TEST(Architecture, an_outside_library_is_known_to_one_place) {
         {"omp.h", "host/engine/tiles.hpp"},
         {"boost/multiprecision/cpp_bin_float.hpp", "host/math/precise.cpp"},
         {"boost/beast/http.hpp", "host/studio/http_server.cpp"},
+        {"pybind11/stl.h", "python/module/scene.cpp"},
         {"hwy/highway.h", "host/wide/search/packet_search.cpp"}};
     for (const auto& [header, home] : homes) {
         const std::string include = "#include <" + header + ">\n";

@@ -9,9 +9,7 @@
 #include "host/commands/cmd.hpp"
 #include "host/commands/option_checks.hpp"
 #include "host/commands/shared_options.hpp"
-#include "host/compile/proven_rifs.hpp"
 #include "host/files/safe_file.hpp"
-#include "host/fractal/dimension/default_weights.hpp"
 #include "host/fractal/measure/chaos_game.hpp"
 #include "host/output/ply.hpp"
 #include "host/output/spared_inputs.hpp"
@@ -24,9 +22,9 @@
 #include "host/process/interrupt.hpp"
 #include "host/process/progress.hpp"
 #include "host/process/terminal.hpp"
+#include "host/render/point_games.hpp"
 #include "host/scene/check/check.hpp"
 #include "host/scene/check/settings.hpp"
-#include "host/scene/default_objects.hpp"
 #include "host/scene/print/print.hpp"
 #include "host/text/digest.hpp"
 
@@ -46,53 +44,11 @@ struct PointsArguments {
     bool quiet = false;
 };
 
-/// An object with the game that draws it.
-struct Player {
-    ChaosGame game;
-    Affine instance;
-    glm::dvec3 color;
-};
-
-std::vector<double> weights_of(const IfsBlock& block, const Rifs& rifs) {
-    std::vector<double> weights = default_weights(rifs);
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        if (block.maps[i].weight) weights[i] = *block.maps[i].weight;
-    }
-    return weights;
-}
-
-/// One player per object that is a fractal.
-std::vector<Player> make_players(const Scene& scene, std::uint64_t seed, Diagnostics& diagnostics) {
-    constexpr glm::dvec3 base_color{0.9, 0.9, 0.9};
-    std::vector<Player> players;
-    for (const ObjectBlock& object : objects_of(scene)) {
-        if (!object.ifs) {
-            diagnostics.warning(object.position, "an object without ifs has no points: left out");
-            continue;
-        }
-        const auto block = std::ranges::find(scene.ifs, *object.ifs, &IfsBlock::name);
-        const auto proven = prove_rifs(*block, diagnostics);
-        if (!proven) continue;
-        std::vector<glm::dvec4> colors;
-        for (const MapBlock& map : block->maps)
-            colors.push_back(map.color.value_or(glm::dvec4{0.0}));
-        const glm::dvec4 paint = object.color.value_or(glm::dvec4{0.0});
-        players.push_back({ChaosGame(proven->rifs, weights_of(*block, proven->rifs), colors, seed,
-                                     static_cast<std::uint32_t>(players.size())),
-                           compose(object.commands),
-                           base_color * (1 - paint.a) + glm::dvec3{paint} * paint.a});
-    }
-    if (players.empty() && !diagnostics.has_errors()) {
-        diagnostics.error({}, "the scene has no linear fractal to draw points of");
-    }
-    return players;
-}
-
 /// What the first points of each object say of all; a copy of its game draws them.
-CoordinateNumber number_for_players(const std::vector<Player>& players) {
+CoordinateNumber number_for_players(const std::vector<PointGame>& players) {
     constexpr int looked_at = 4096;
     std::vector<CloudExtent> extents;
-    for (Player player : players) {
+    for (PointGame player : players) {
         CloudExtent& extent = extents.emplace_back();
         for (int i = 0; i < looked_at; ++i)
             extent.add(player.instance.point(player.game.next().place));
@@ -100,40 +56,21 @@ CoordinateNumber number_for_players(const std::vector<Player>& players) {
     return number_for(extents);
 }
 
-/// Points that one thread draws at a time: of one object, a chunk of its game or the last one's
-/// beginning.
-struct Chunk {
-    std::size_t player = 0;
-    std::uint32_t number = 0;
-    std::uint64_t points = 0;
-};
-
 /// The points of a file, as they come in it: objects one after another, with equal shares.
 class Cloud {
   public:
-    Cloud(const std::vector<Player>& players, std::uint64_t count)
-        : players_(players), number_(number_for_players(players)) {
-        for (std::size_t i = 0; i < players.size(); ++i) {
-            const auto begin = [&](std::size_t player) {
-                return count / players.size() * player +
-                       std::min<std::uint64_t>(count % players.size(), player);
-            };
-            std::uint64_t left = begin(i + 1) - begin(i);
-            for (std::uint32_t number = 0; left > 0; ++number) {
-                const std::uint64_t points = std::min(left, ChaosGame::chunk_points);
-                chunks_.push_back({i, number, points});
-                left -= points;
-            }
-        }
-    }
+    Cloud(const std::vector<PointGame>& players, std::uint64_t count)
+        : players_(players),
+          number_(number_for_players(players)),
+          chunks_(point_chunks(players.size(), count)) {}
 
     [[nodiscard]] std::size_t chunks() const { return chunks_.size(); }
     [[nodiscard]] CoordinateNumber number() const { return number_; }
 
     /// The bytes of a chunk. Any thread.
     [[nodiscard]] std::string draw(std::size_t i) const {
-        const Chunk& chunk = chunks_[i];
-        const Player& player = players_[chunk.player];
+        const PointChunk& chunk = chunks_[i];
+        const PointGame& player = players_[chunk.game];
         ChaosGame game = player.game;
         game.seek(chunk.number);
         PlyPoints points(number_);
@@ -145,9 +82,9 @@ class Cloud {
     }
 
   private:
-    const std::vector<Player>& players_;
+    const std::vector<PointGame>& players_;
     CoordinateNumber number_;
-    std::vector<Chunk> chunks_;
+    std::vector<PointChunk> chunks_;
 };
 
 /// Draws chunks from all threads; false if a signal came.
@@ -216,8 +153,8 @@ ExitCode run_points(const PointsArguments& arguments) {
     Diagnostics diagnostics;
     const Scene scene = parse_scene(arguments.scene, settings, diagnostics, arguments.allowed);
     if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
-    std::vector<Player> players;
-    if (!diagnostics.has_errors()) players = make_players(scene, arguments.seed, diagnostics);
+    std::vector<PointGame> players;
+    if (!diagnostics.has_errors()) players = point_games(scene, arguments.seed, diagnostics);
     diagnostics.throw_if_errors(scene.files);
     require_spared({arguments.out}, inputs_of(scene));
     const std::string warnings = diagnostics.warnings_text(scene.files);

@@ -18,12 +18,12 @@ namespace pxm::host {
 
 /// Which engine, and how.
 struct EngineChoice {
-    const Model* machine = nullptr;  // null: native
-    Numeric numeric = Numeric::single;
-    int threads = 1;                 // host threads, at least 1
-    std::int64_t program_bytes = 0;  // what a node of the machine loads, constants included
-    std::int64_t stack_bytes = 0;
-    CostModel costs = default_cost_model();
+    const Model* machine = nullptr;          // null: native
+    Numeric numeric = Numeric::single;       // what nodes compute with
+    int threads = 1;                         // host threads, at least 1
+    std::int64_t program_bytes = 0;          // what a node of the machine loads, constants included
+    std::int64_t stack_bytes = 0;            // of a node of the machine
+    CostModel costs = default_cost_model();  // of its instructions
     IntersectMethod intersect = IntersectMethod::heap;  // as chosen: not automatic
 };
 
@@ -58,25 +58,25 @@ struct BlockTaker {
 /// A gathered picture with its counts. `stopped`: the run was given up and the frame is incomplete.
 /// The frame is empty if the picture was taken block by block.
 struct EngineResult {
-    Frame frame;
-    RayStatistics rays;
-    std::optional<MachineStatistics> machine;
-    double render_seconds = 0;  // of the rays
-    double take_seconds = 0;    // of the taker, divided by the threads that it ran in
-    bool stopped = false;
+    Frame frame;                               // the window
+    RayStatistics rays;                        // counted
+    std::optional<MachineStatistics> machine;  // of a machine alone
+    double render_seconds = 0;                 // of the rays
+    double take_seconds = 0;  // of the taker, divided by the threads that it ran in
+    bool stopped = false;     // given up by RunControl::stop
 };
 
 /// Units that are to be rendered.
 struct UnitWork {
     const std::vector<UnitPixels>& units;    // all of a window
     const std::vector<std::size_t>& wanted;  // of them, by number
-    const TakeUnit& take;
+    const TakeUnit& take;                    // gets each when it is done
 };
 
 /// How that went. `stopped`: it was given up; units that were taken are complete.
 struct UnitsRun {
-    double render_seconds = 0;
-    bool stopped = false;
+    double render_seconds = 0;  // of the rays
+    bool stopped = false;       // given up by RunControl::stop
 };
 
 /// A scene in an engine's own form. It is loaded once and run for a window at a time, so that a
@@ -94,7 +94,7 @@ class LoadedScene {
                                            const BlockTaker* taker) = 0;
     [[nodiscard]] EngineResult run(const CropWindow& window, const RunControl& control) {
         return run(window, control, nullptr);
-    }
+    }  // the result has the frame
 
     /// How this engine cuts a window into units.
     [[nodiscard]] virtual UnitGrid grid(const CropWindow& window) const = 0;
@@ -109,7 +109,7 @@ class LoadedScene {
     [[nodiscard]] const std::vector<std::uint32_t>& block() const { return block_; }
 
   protected:
-    std::vector<std::uint32_t> block_;
+    std::vector<std::uint32_t> block_;  // set by whoever derives from this
 };
 
 // Each of these keeps a reference to `scene`, which must outlive what is returned.

@@ -20,7 +20,7 @@ enum PixelAlarm : std::uint8_t {
     alarm_overflow = 16,   // a result on the way to it was beyond the numbers' range
 };
 
-struct Alarm {
+struct Alarm {                // of pixels, or maps, that are doubtful
     std::string name;         // in --stats
     std::uint64_t count = 0;  // pixels, or maps
     std::string text;         // for the user
@@ -30,12 +30,12 @@ struct Alarm {
 /// One pixel, one line of a cache. Colours are linear. On a miss: z infinite, object and level -1,
 /// word 0, alpha 0.
 struct alignas(64) PixelRecord {
-    float color[3] = {0, 0, 0};
-    float alpha = 0;
+    float color[3] = {0, 0, 0};                        // linear red, green and blue
+    float alpha = 0;                                   // 0 on a miss, 1 behind what is opaque
     float z = std::numeric_limits<float>::infinity();  // distance along the ray, world units
     float normal[3] = {0, 0, 0};                       // the total normal
-    std::int32_t object = -1;
-    std::int32_t level = -1;
+    std::int32_t object = -1;                          // its number in the scene
+    std::int32_t level = -1;                           // how many maps deep the terminal cell is
     std::uint32_t word = 0;     // 24-bit hash of the terminal cell's word, never 0 on a hit
     std::uint32_t volumes = 0;  // volumes tested
     std::uint64_t cycles = 0;   // instruction cycles of 200 ns; machine only
@@ -50,11 +50,11 @@ inline constexpr int tile_side = 8;
 
 /// The pixels of a crop window, row by row.
 struct Frame {
-    PixelSize size;
-    CropWindow crop;
-    std::vector<PixelRecord> pixels;
-
+    PixelSize size;                   // of the image
+    CropWindow crop;                  // the window of it
+    std::vector<PixelRecord> pixels;  // row by row
     Frame() = default;
+    /// Pixels as on a miss.
     Frame(const PixelSize& image, const CropWindow& window)
         : size(image), crop(window), pixels(static_cast<std::size_t>(columns() * rows())) {}
 
@@ -65,15 +65,15 @@ struct Frame {
         pixels.assign(static_cast<std::size_t>(columns() * rows()), PixelRecord{});
     }
 
-    [[nodiscard]] long columns() const { return crop.x1 - crop.x0; }
-    [[nodiscard]] long rows() const { return crop.y1 - crop.y0; }
+    [[nodiscard]] long columns() const { return crop.x1 - crop.x0; }  // of the window
+    [[nodiscard]] long rows() const { return crop.y1 - crop.y0; }     // of the window
     /// The pixel at image coordinates inside the crop window.
     [[nodiscard]] PixelRecord& at(long x, long y) {
         return pixels[static_cast<std::size_t>((y - crop.y0) * columns() + x - crop.x0)];
     }
     [[nodiscard]] const PixelRecord& at(long x, long y) const {
         return const_cast<Frame*>(this)->at(x, y);
-    }
+    }  // the same
 };
 
 }  // namespace pxm::host

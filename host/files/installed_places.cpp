@@ -9,17 +9,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path& folder_that_was_set() {
-    static fs::path folder;
-    return folder;
+/// What a program that lies elsewhere has said; empty: nothing.
+struct SetFolders {
+    fs::path modules;
+    fs::path data;
+};
+SetFolders& folders_that_were_set() {
+    static SetFolders folders;
+    return folders;
 }
 
 /// `from_program` is relative to the folder of the program that runs.
-std::vector<fs::path> places(const fs::path& from_program, const fs::path& built,
-                             const fs::path& installed) {
+std::vector<fs::path> places(const fs::path& set, const fs::path& from_program,
+                             const fs::path& built, const fs::path& installed) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     std::vector<fs::path> folders;
+    if (!set.empty()) folders.push_back(set);
     if (!error) folders.push_back((program.parent_path() / from_program).lexically_normal());
     if (!built.empty()) folders.push_back(built);
     folders.push_back(installed);
@@ -29,13 +35,16 @@ std::vector<fs::path> places(const fs::path& from_program, const fs::path& built
 }  // namespace
 
 std::vector<fs::path> module_folders() {
-    std::vector<fs::path> folders = places(PXM_BIN_TO_MODULES, PXM_BUILT_MODULES, PXM_MODULES);
-    if (!folder_that_was_set().empty()) folders.insert(folders.begin(), folder_that_was_set());
-    return folders;
+    return places(folders_that_were_set().modules, PXM_BIN_TO_MODULES, PXM_BUILT_MODULES,
+                  PXM_MODULES);
 }
 
-std::vector<fs::path> data_folders() { return places(PXM_BIN_TO_DATA, PXM_SOURCE_DATA, PXM_DATA); }
+std::vector<fs::path> data_folders() {
+    return places(folders_that_were_set().data, PXM_BIN_TO_DATA, PXM_SOURCE_DATA, PXM_DATA);
+}
 
-void look_for_modules_in(const fs::path& folder) { folder_that_was_set() = folder; }
+void look_for_modules_in(const fs::path& folder) { folders_that_were_set().modules = folder; }
+
+void look_for_data_in(const fs::path& folder) { folders_that_were_set().data = folder; }
 
 }  // namespace pxm::host

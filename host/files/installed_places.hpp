@@ -20,4 +20,8 @@ namespace pxm::host {
 /// looked for here first. To be called before the first picture is read or written.
 void look_for_modules_in(const std::filesystem::path& folder);
 
+/// The same of the folder in which `scenes` lies. To be called before the first scene is looked
+/// for.
+void look_for_data_in(const std::filesystem::path& folder);
+
 }  // namespace pxm::host

@@ -46,7 +46,8 @@ PictureLibrary& picture_library() {
     static PictureLibrary& library = []() -> PictureLibrary& {
         forget_plugins();
         return *load(picture_module, picture_module_function,
-                     "OpenImageIO, for pictures other than PNG and EXR,");
+                     "OpenImageIO, which reads pictures and writes formats other than PNG and EXR "
+                     "(in Debian packages of pxm: install pxm-formats),");
     }();
     return library;
 }

@@ -21,43 +21,43 @@
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {
-
+/// What is known of one map.
 struct MapFacts {
-    MapKind kind = MapKind::affine;
-    double determinant = 0;
+    MapKind kind = MapKind::affine;           // the narrowest that it is
+    double determinant = 0;                   // of its linear part
     std::array<double, 3> singular_values{};  // largest first
     double lipschitz = 0;                     // the largest singular value, Sec. 16.2
     double determinant_bound = 0;             // Eq. 16.3
     std::optional<glm::dvec3> fixed_point;    // nothing if no single point stands still
 };
-
+/// What is known of one system.
 struct IfsFacts {
-    Rifs rifs;
-    std::vector<MapFacts> maps;
-    Contraction contraction;
-    GraphFacts graph;
-    std::vector<WordLipschitz> words;
-    std::vector<Bounds> bounds;  // per follow set of `rifs`
-    Dimensions dimensions;
-    OpenSetFinding open_set;
-    DisconnectedFinding disconnected;
+    Rifs rifs;                         // its maps and its graph
+    std::vector<MapFacts> maps;        // one of each map of `rifs`
+    Contraction contraction;           // how it shrinks, and by what proof
+    GraphFacts graph;                  // which maps lead to which
+    std::vector<WordLipschitz> words;  // how far bounds of words are off
+    std::vector<Bounds> bounds;        // per follow set of `rifs`
+    Dimensions dimensions;             // of its attractor
+    OpenSetFinding open_set;           // whether it satisfies that condition
+    DisconnectedFinding disconnected;  // whether its attractor is
 };
 
 /// The bounding volume of an object, as declared and as used.
 struct ObjectFacts {
-    std::string name;
-    std::optional<std::string> ifs;  // nothing: the volume itself is the object
-    std::string volume;              // of the outermost cell: sphere, box, ...
-    std::optional<DeclaredVolume> declared;
-    double short_by = 0;    // what the attractor sticks out of the declared volume
+    std::string name;                        // of the object
+    std::optional<std::string> ifs;          // nothing: the volume itself is the object
+    std::string volume;                      // of the outermost cell: sphere, box, ...
+    std::optional<DeclaredVolume> declared;  // as the scene says it
+    double short_by = 0;                     // what the attractor sticks out of the declared volume
     double ball_slack = 0;  // the computed ball is at most so much larger than the smallest
 };
-
+/// What is known of a whole scene.
 struct Inspection {
-    std::string scene;
-    std::vector<IfsFacts> ifs;
-    std::vector<ObjectFacts> objects;
-    NodeNeeds needs;
+    std::string scene;                 // its path or name
+    std::vector<IfsFacts> ifs;         // of all its systems
+    std::vector<ObjectFacts> objects;  // of all that is shown
+    NodeNeeds needs;                   // of a node of the machine
 };
 
 /// What is known of one system. Errors, as compile() would find, go to `diagnostics`; then nothing.

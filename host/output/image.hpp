@@ -22,7 +22,7 @@ void require_image_format(const std::string& path, const std::vector<Aov>& aovs)
 /// the colour has the background in it, and the channels asked for. All may throw
 /// Error(ErrorKind::file).
 class ImageWriter {
-  public:
+  public:  /// Begins the file; `window` is what will be appended, `metadata` is written into it.
     ImageWriter(const std::string& path, const CropWindow& window, const std::vector<Aov>& aovs,
                 const Metadata& metadata);
     ImageWriter(const ImageWriter&) = delete;

@@ -17,19 +17,19 @@ namespace pxm::host {
 
 /// What the command line says over the scene's own image, render and object blocks.
 struct SceneOverrides {
-    std::optional<PixelSize> size;
-    std::optional<CropWindow> crop;
-    std::optional<long> levels;
-    double zoom = 1;
-    std::optional<Shading> shading;
-    std::optional<CoversChoice> covers;
-    std::optional<long> samples;
-    std::optional<IntersectMethod> intersect;
-    std::optional<Numeric> numeric;
-    std::optional<double> detail;
-    std::optional<LipschitzMethod> lipschitz;
-    std::optional<VolumeKind> volume;
-    std::optional<long> heap;
+    std::optional<PixelSize> size;             // of the image
+    std::optional<CropWindow> crop;            // the window of it
+    std::optional<long> levels;                // of all objects: stop after so many maps
+    double zoom = 1;                           // the eye moves to look + (eye - look) / zoom
+    std::optional<Shading> shading;            // how normals are weighted
+    std::optional<CoversChoice> covers;        // local covers
+    std::optional<long> samples;               // eye rays a pixel
+    std::optional<IntersectMethod> intersect;  // how the first hit is found
+    std::optional<Numeric> numeric;            // what nodes compute with
+    std::optional<double> detail;              // a cell is small enough at so many pixels
+    std::optional<LipschitzMethod> lipschitz;  // how diameters are estimated
+    std::optional<VolumeKind> volume;          // of all objects
+    std::optional<long> heap;                  // entries
 };
 
 /// The scene as it is rendered: overrides win.
@@ -39,30 +39,30 @@ void apply(const SceneOverrides& overrides, Scene& scene);
 /// at `scene_path`; of the first two scene_path is a name for messages, and what a text includes is
 /// looked for beside it.
 struct RenderRequest {
-    std::string scene_path;
-    std::optional<std::string> scene_text = {};
-    std::optional<Scene> scene = {};
-    Settings settings;                      // of the scene, under the overrides
-    std::vector<std::string> allowed = {};  // folders beside the scene's own (--allow)
-    double frame = 0;  // of the scene's animation, from 0; its text is read for this one
-    SceneOverrides overrides;
-    const Model* machine = nullptr;  // null: native
-    int threads = 1;
+    std::string scene_path;                      // a file, or a name for messages
+    std::optional<std::string> scene_text = {};  // in the scene language
+    std::optional<Scene> scene = {};             // as data
+    Settings settings;                           // of the scene, under the overrides
+    std::vector<std::string> allowed = {};       // folders beside the scene's own (--allow)
+    double frame = 0;          // of the scene's animation, from 0; its text is read for this one
+    SceneOverrides overrides;  // of what the scene says
+    const Model* machine = nullptr;          // null: native
+    int threads = 1;                         // of the host
     std::string threads_because;             // why so many: for the statistics
     CostModel costs = default_cost_model();  // of the machine
     std::optional<long> only_sample;         // of an open shutter: one of the samples of all pixels
     std::optional<std::uint32_t> cell_cap;   // of studies; absent: that of CompiledScene
     std::vector<std::string> outputs;  // to be written: none may be what the scene is read from
 };
-
+/// What a render gives.
 struct RenderResult {
-    Frame frame;        // of the window; empty if a PictureTaker took it
-    CropWindow window;  // what was rendered, of the image
-    Statistics statistics;
+    Frame frame;              // of the window; empty if a PictureTaker took it
+    CropWindow window;        // what was rendered, of the image
+    Statistics statistics;    // counted and measured
     std::string warnings;     // for the user, empty if there are none
     bool stopped = false;     // given up by control.stop: the frame is incomplete
     double pixel_at_eye = 0;  // p(t) = pixel_at_eye + pixel_growth t, world units (Eq. 15.2)
-    double pixel_growth = 0;
+    double pixel_growth = 0;  // a world unit of the way
 };
 
 /// The scene in the engine that was chosen: the one place that knows all three. Keeps a reference

@@ -10,16 +10,16 @@
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {
-
+/// Collects what is wrong with a scene.
 class Diagnostics {
   public:
-    static constexpr int error_limit = 20;
-    static constexpr int warning_limit = 20;
+    static constexpr int error_limit = 20;    // more are not kept
+    static constexpr int warning_limit = 20;  // the same of warnings
 
-    void error(const Position& position, const std::string& message);
-    void warning(const Position& position, const std::string& message);
+    void error(const Position& position, const std::string& message);    // at a place of the scene
+    void warning(const Position& position, const std::string& message);  // the same
 
-    [[nodiscard]] bool has_errors() const { return errors_ > 0; }
+    [[nodiscard]] bool has_errors() const { return errors_ > 0; }  // whether any error was added
     /// True once error_limit errors were collected: a parser may give up.
     [[nodiscard]] bool full() const { return errors_ >= error_limit; }
 

@@ -22,103 +22,103 @@ namespace pxm::host {
 
 /// A place in the source: index of the file in Scene::files, line and column from 1.
 struct Position {
-    int file = 0;
-    int line = 1;
-    int column = 1;
+    int file = 0;                                            // of Scene::files
+    int line = 1;                                            // from 1
+    int column = 1;                                          // in bytes, from 1
     bool operator==(const Position&) const { return true; }  // not part of a scene's meaning
 };
 
 /// A source file that was read, for messages that show its lines.
 struct SourceFile {
-    std::string name;
-    std::string text;
+    std::string name;  // as messages call it
+    std::string text;  // all of it
 };
 
 // --- commands of a map or an object; each post-multiplies in the order written -------------------
-struct ScaleCommand {
-    glm::dvec3 factors;
+struct ScaleCommand {    // stretches the axes
+    glm::dvec3 factors;  // of x, y and z
     bool operator==(const ScaleCommand&) const = default;
 };
-struct RotateCommand {
-    Axis axis;
-    double degrees;
+struct RotateCommand {  // turns about an axis
+    Axis axis;          // the one that stands still
+    double degrees;     // from the axis after it to the next
     bool operator==(const RotateCommand&) const = default;
 };
-struct TranslateCommand {
-    glm::dvec3 offset;
+struct TranslateCommand {  // moves
+    glm::dvec3 offset;     // in world units
     bool operator==(const TranslateCommand&) const = default;
 };
-struct MatrixCommand {
-    Affine map;
+struct MatrixCommand {  // any affine map
+    Affine map;         // as it is written
     bool operator==(const MatrixCommand&) const = default;
 };
 /// Sec. 9.3: the affine map taking each `from` to its `to`.
 struct TetrahedronCommand {
-    std::array<glm::dvec3, 4> from;
-    std::array<glm::dvec3, 4> to;
+    std::array<glm::dvec3, 4> from;  // the four corners
+    std::array<glm::dvec3, 4> to;    // and where they go
     bool operator==(const TetrahedronCommand&) const = default;
 };
 /// A reference to a map: its name, or its number from 1.
 struct MapReference {
-    std::variant<std::string, long> map;
-    Position position;
+    std::variant<std::string, long> map;  // its name, or its number
+    Position position;                    // where it is written
     bool operator==(const MapReference&) const = default;
 };
 
 /// Between two maps of the scene. A text that is read becomes a MatrixCommand of it
 /// (host/scene/parse/resolve_blends.hpp): scenes elsewhere have none.
 struct BlendEnd {
-    std::string ifs;  // empty: the map's own
-    MapReference map;
+    std::string ifs;   // empty: the map's own
+    MapReference map;  // one of that ifs
     bool operator==(const BlendEnd&) const = default;
 };
-struct BlendCommand {
-    BlendEnd from;
-    BlendEnd to;
+struct BlendCommand {  // a map on the way between two
+    BlendEnd from;     // the map at share 0
+    BlendEnd to;       // the map at share 1
     double share = 0;  // 0: `from`
     bool operator==(const BlendCommand&) const = default;
 };
 using CommandKind = std::variant<ScaleCommand, RotateCommand, TranslateCommand, MatrixCommand,
                                  TetrahedronCommand, BlendCommand>;
-struct Command {
-    CommandKind kind;
-    Position position;
+struct Command {        // one step of a map
+    CommandKind kind;   // which, and with what numbers
+    Position position;  // of the word that it begins with
     bool operator==(const Command&) const = default;
 };
 
-struct MapBlock {
-    std::string name;  // empty: known by its number only
-    std::vector<Command> commands;
+struct MapBlock {                     // one map of a system
+    std::string name;                 // empty: known by its number only
+    std::vector<Command> commands;    // in the order written
     std::optional<glm::dvec4> color;  // r,g,b,a: on entering the map c = (1-a) c + a (r,g,b)
     std::optional<double> weight;     // chaos game
-    Position position;
+    Position position;                // of the word that it begins with
     bool operator==(const MapBlock&) const = default;
 };
 
-struct FollowRule {
-    MapReference map;
-    std::vector<MapReference> followers;
+struct FollowRule {                       // what may stand inside a map
+    MapReference map;                     // the outer one
+    std::vector<MapReference> followers;  // those that may come in it
     bool operator==(const FollowRule&) const = default;
 };
 
-struct IfsBlock {
-    std::string name;
-    std::vector<MapBlock> maps;
-    std::vector<FollowRule> follow;
-    std::vector<MapReference> start;
-    Position position;
+struct IfsBlock {                     // a system
+    std::string name;                 // by which objects call it
+    std::vector<MapBlock> maps;       // in the order written
+    std::vector<FollowRule> follow;   // empty: all may follow all
+    std::vector<MapReference> start;  // empty: the default of the language
+    Position position;                // of the word that it begins with
     bool operator==(const IfsBlock&) const = default;
 };
 
 // --- volumes -------------------------------------------------------------------------------------
-struct SphereVolume {
-    glm::dvec3 center{0.0};
-    double radius = 1;
+struct SphereVolume {        // a ball
+    glm::dvec3 center{0.0};  // its middle
+    double radius = 1;       // greater than 0
     bool operator==(const SphereVolume&) const = default;
 };
-struct BoxVolume {
-    glm::dvec3 low{-1.0};
-    glm::dvec3 high{1.0};
+struct BoxVolume {         // a box along the axes
+    glm::dvec3 low{-1.0};  // the corner with the least of each coordinate
+    glm::dvec3 high{1.0};  // and that with the greatest
     bool operator==(const BoxVolume&) const = default;
 };
 struct ConeVolume {
@@ -136,115 +136,115 @@ struct AutoVolume {
 using DeclaredVolume =
     std::variant<AutoVolume, SphereVolume, BoxVolume, ConeVolume, CylinderVolume, HullVolume>;
 
-struct ObjectBlock {
-    std::string name;
-    std::optional<std::string> ifs;  // absent: the volume itself is the object
-    Position ifs_position;
-    std::optional<DeclaredVolume> volume;
-    Position volume_position;
-    std::vector<Command> commands;
-    std::optional<glm::dvec4> color;
-    std::optional<double> opacity;
-    Position opacity_position;
-    std::optional<double> diffuse;
-    std::optional<double> reflect;
-    Position reflect_position;
-    std::optional<long> levels;
-    Position position;
+struct ObjectBlock {                       // what is shown, and where
+    std::string name;                      // empty: none was given
+    std::optional<std::string> ifs;        // absent: the volume itself is the object
+    Position ifs_position;                 // of the name of the ifs
+    std::optional<DeclaredVolume> volume;  // its bounding volume
+    Position volume_position;              // of its word
+    std::vector<Command> commands;         // they place it in the world
+    std::optional<glm::dvec4> color;       // r,g,b,a over the base color
+    std::optional<double> opacity;         // below 1 its volumes are translucent
+    Position opacity_position;             // of its number
+    std::optional<double> diffuse;         // share of diffuse reflection
+    std::optional<double> reflect;         // share of a mirror image
+    Position reflect_position;             // of its number
+    std::optional<long> levels;            // stop after so many maps
+    Position position;                     // of the word that it begins with
     bool operator==(const ObjectBlock&) const = default;
 };
 
 /// A reference to a texture by its name.
 struct TextureReference {
-    std::string name;
-    Position position;
+    std::string name;   // of the texture
+    Position position;  // where it is written
     bool operator==(const TextureReference&) const = default;
 };
 
-struct PlaneBlock {
-    std::string name;
-    std::optional<glm::dvec3> point;
-    std::optional<glm::dvec3> normal;
-    std::optional<glm::dvec3> color;
+struct PlaneBlock {                          // an endless floor or wall
+    std::string name;                        // empty: none was given
+    std::optional<glm::dvec3> point;         // one that it goes through
+    std::optional<glm::dvec3> normal;        // across it
+    std::optional<glm::dvec3> color;         // linear
     std::vector<TextureReference> textures;  // laid over each other: their colours multiply
-    std::optional<double> reflect;
-    Position position;
+    std::optional<double> reflect;           // share of a mirror image
+    Position position;                       // of the word that it begins with
     bool operator==(const PlaneBlock&) const = default;
 };
 
-struct FileTexture {
-    std::string file;
+struct FileTexture {   // a picture
+    std::string file;  // its path, from the file that names it
     bool operator==(const FileTexture&) const = default;
 };
-struct IfsTexture {
-    std::string ifs;
+struct IfsTexture {   // a flat attractor
+    std::string ifs;  // its system
     bool operator==(const IfsTexture&) const = default;
 };
 struct WoodTexture {
     bool operator==(const WoodTexture&) const = default;
 };
-struct TextureBlock {
-    std::string name;
-    std::optional<std::variant<FileTexture, IfsTexture, WoodTexture>> source;
-    Position source_position;
-    std::optional<glm::dvec2> size;
-    std::optional<glm::dvec3> color;
-    std::optional<glm::dvec3> color2;
-    Position position;
+struct TextureBlock {  // what a plane may be covered with
+    std::string name;  // by which planes call it
+    std::optional<std::variant<FileTexture, IfsTexture, WoodTexture>> source;  // what it shows
+    Position source_position;                                                  // of its word
+    std::optional<glm::dvec2> size;    // of one repeat, in world units
+    std::optional<glm::dvec3> color;   // of what it shows
+    std::optional<glm::dvec3> color2;  // of what is between
+    Position position;                 // of the word that it begins with
     bool operator==(const TextureBlock&) const = default;
 };
 
-struct LightBlock {
-    std::string name;
+struct LightBlock {                       // a light
+    std::string name;                     // empty: none was given
     std::optional<glm::dvec3> direction;  // from the surface to the light
     std::optional<glm::dvec3> location;   // written `position:`
-    std::optional<glm::dvec3> color;
-    std::optional<bool> shadow;
-    Position shadow_position;
-    Position position;
+    std::optional<glm::dvec3> color;      // linear
+    std::optional<bool> shadow;           // whether it casts shadows
+    Position shadow_position;             // of its word
+    Position position;                    // of the word that it begins with
     bool operator==(const LightBlock&) const = default;
 };
 
-struct CameraBlock {
-    std::string name;
-    std::optional<DecimalVec3> eye;
-    std::optional<DecimalVec3> look;
-    std::optional<glm::dvec3> up;
+struct CameraBlock {                     // where the picture is taken from
+    std::string name;                    // empty: none was given
+    std::optional<DecimalVec3> eye;      // where it stands
+    std::optional<DecimalVec3> look;     // what it looks at
+    std::optional<glm::dvec3> up;        // what is upward in the picture
     std::optional<double> fov;           // degrees, horizontal
     std::optional<double> orthographic;  // width in world units
     std::optional<double> zoom;          // the eye moves to look + (eye - look) / zoom
-    Position position;
+    Position position;                   // of the word that it begins with
     bool operator==(const CameraBlock&) const = default;
 };
 
 // --- image and render: each value may also come from the command line, which wins
 // -----------------
-struct PixelSize {
-    long columns = 640;
-    long rows = 480;
+struct PixelSize {       // of a picture
+    long columns = 640;  // pixels from left to right
+    long rows = 480;     // pixels from top to bottom
     bool operator==(const PixelSize&) const = default;
 };
 /// Half open: x0 <= x < x1, y0 <= y < y1.
 struct CropWindow {
-    long x0 = 0;
-    long y0 = 0;
-    long x1 = 0;
-    long y1 = 0;
+    long x0 = 0;  // the first column
+    long y0 = 0;  // the first row
+    long x1 = 0;  // one beyond the last column
+    long y1 = 0;  // one beyond the last row
     bool operator==(const CropWindow&) const = default;
 };
-struct ImageBlock {
-    std::optional<PixelSize> size;
-    std::optional<CropWindow> crop;
-    Position position;
+struct ImageBlock {                  // the picture to be made
+    std::optional<PixelSize> size;   // in pixels
+    std::optional<CropWindow> crop;  // what of it is rendered
+    Position position;               // of the word that it begins with
     bool operator==(const ImageBlock&) const = default;
 };
 
 /// A film: `t` and `frame` in expressions are those of one of its frames when the text is read.
 struct AnimationBlock {
-    long frames = 1;
+    long frames = 1;     // how many there are
     double rate = 25;    // frames a second
     double shutter = 0;  // the share of a frame's time that its samples are spread over
-    Position position;
+    Position position;   // of the word that it begins with
     bool operator==(const AnimationBlock&) const = default;
 };
 
@@ -255,8 +255,8 @@ enum class LipschitzMethod { automatic, product, determinant, polar };
 enum class VolumeKind { automatic, sphere, box, oriented, hull };
 /// Opacity bandwidth of local covers, in pixels (Ch. 18).
 struct Covers {
-    double tau_min = 1.0 / 20;
-    double tau_max = 2;
+    double tau_min = 1.0 / 20;  // smaller cells are transparent
+    double tau_max = 2;         // larger cells are opaque
     bool operator==(const Covers&) const = default;
 };
 struct CoversOff {
@@ -268,40 +268,40 @@ struct AreaCovers {
 };
 using CoversChoice = std::variant<CoversOff, Covers, AreaCovers>;
 
-struct RenderBlock {
-    std::optional<glm::dvec3> ambient;
-    std::optional<glm::dvec3> background;
-    std::optional<Shading> shading;
-    std::optional<CoversChoice> covers;
-    std::optional<long> samples;
-    std::optional<IntersectMethod> intersect;
-    std::optional<Numeric> numeric;
-    std::optional<double> detail;
-    std::optional<LipschitzMethod> lipschitz;
-    std::optional<VolumeKind> volume;
-    std::optional<long> heap;
-    std::optional<long> bounces;
-    Position position;         // of the block
-    Position covers_position;  // of directives that may not be supported yet
-    Position samples_position;
-    Position intersect_position;
-    Position numeric_position;
-    Position volume_position;
+struct RenderBlock {                           // how it is rendered
+    std::optional<glm::dvec3> ambient;         // light from everywhere
+    std::optional<glm::dvec3> background;      // where nothing is hit
+    std::optional<Shading> shading;            // how normals are weighted
+    std::optional<CoversChoice> covers;        // local covers
+    std::optional<long> samples;               // eye rays a pixel
+    std::optional<IntersectMethod> intersect;  // how the first hit is found
+    std::optional<Numeric> numeric;            // what nodes compute with
+    std::optional<double> detail;              // a cell is small enough at so many pixels
+    std::optional<LipschitzMethod> lipschitz;  // how diameters are estimated
+    std::optional<VolumeKind> volume;          // of all objects
+    std::optional<long> heap;                  // entries
+    std::optional<long> bounces;               // mirror reflections a ray may take
+    Position position;                         // of the block
+    Position covers_position;                  // of directives that may not be supported yet
+    Position samples_position;                 // of its number
+    Position intersect_position;               // of its word
+    Position numeric_position;                 // of its word
+    Position volume_position;                  // of its word
     bool operator==(const RenderBlock&) const = default;
 };
 
 /// Everything one scene file and its includes say.
 struct Scene {
-    std::vector<SourceFile> files;
-    std::vector<IfsBlock> ifs;
-    std::vector<ObjectBlock> objects;
-    std::vector<PlaneBlock> planes;
-    std::vector<TextureBlock> textures;
-    std::vector<LightBlock> lights;
-    std::optional<CameraBlock> camera;
-    std::optional<ImageBlock> image;
-    std::optional<RenderBlock> render;
-    std::optional<AnimationBlock> animation;
+    std::vector<SourceFile> files;            // that it was read from
+    std::vector<IfsBlock> ifs;                // in the order written, as all blocks
+    std::vector<ObjectBlock> objects;         // empty: every system is shown
+    std::vector<PlaneBlock> planes;           // floors and walls
+    std::vector<TextureBlock> textures;       // of the planes
+    std::vector<LightBlock> lights;           // empty: one from above
+    std::optional<CameraBlock> camera;        // absent: in front of what is shown
+    std::optional<ImageBlock> image;          // absent: all of its defaults
+    std::optional<RenderBlock> render;        // absent: all of its defaults
+    std::optional<AnimationBlock> animation;  // absent: it is no film
 
     /// The same whatever files it was read from: an include leaves no trace.
     bool operator==(const Scene& other) const {

@@ -7,9 +7,9 @@
 #include <vector>
 
 namespace pxm::host {
-
+/// Where a scene lies that was looked for.
 struct FoundScene {
-    std::string path;
+    std::string path;    // of its file
     std::string folder;  // of the path where it was found, which it may name files of; or empty
 };
 

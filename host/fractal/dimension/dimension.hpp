@@ -13,12 +13,12 @@
 #include "host/fractal/system/rifs.hpp"
 
 namespace pxm::host {
-
+/// All that is found out about the dimensions of one attractor.
 struct Dimensions {
-    std::optional<Interval> similarity;
-    Affinity affinity;
-    BoxCounting box_counting;
-    int hull = 3;      // dimensions of the line, plane or space that it lies in
+    std::optional<Interval> similarity;  // of systems of similarities (Eq. 5.19)
+    Affinity affinity;                   // of any maps, from above
+    BoxCounting box_counting;            // as it is measured
+    int hull = 3;                        // dimensions of the line, plane or space that it lies in
     double upper = 3;  // the Hausdorff and box-counting dimensions are not larger: proven
     std::optional<double> exact;  // both are this, if that is known
     std::string meaning;          // what is known of them, and why

@@ -18,10 +18,10 @@ namespace pxm::host {
 
 /// A point of the attractor and what its word does to a colour.
 struct CloudPoint {
-    glm::dvec3 place{0.0};
-    ColorBlend blend;
+    glm::dvec3 place{0.0};  // where it lies
+    ColorBlend blend;       // of the colours that its maps paint
 };
-
+/// Draws the points of one system.
 class ChaosGame {
   public:
     /// `weights` and `colors` (r,g,b,a) per map. The same seed and number give the same points,
@@ -36,7 +36,7 @@ class ChaosGame {
     /// chunks may be drawn in any order, each by a copy of the game. It begins with chunk 0.
     void seek(std::uint32_t chunk);
 
-    static constexpr std::uint64_t chunk_points = 1 << 16;
+    static constexpr std::uint64_t chunk_points = 1 << 16;  // of seek()
 
   private:
     [[nodiscard]] std::uint64_t random_bits();

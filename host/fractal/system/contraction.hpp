@@ -11,9 +11,9 @@
 namespace pxm::host {
 
 enum class ContractionProof { cycle_mean, spectral_radius, words, none };
-
+/// What is known of how a system shrinks.
 struct Contraction {
-    ContractionProof proof = ContractionProof::none;
+    ContractionProof proof = ContractionProof::none;  // how it was shown
     double rate = 0;       // a factor below 1 per map, in the long run, by the proof found
     int word_length = 1;   // for `words`: every word of this length contracts by rate^word_length
     std::string obstacle;  // if none: the map or cycle and its value, for the message
