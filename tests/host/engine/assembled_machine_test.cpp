@@ -3,61 +3,24 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "host/engine/assembled_node.hpp"
 #include "host/node_program/assembled_program.hpp"
 #include "host/node_program/write_scene_block.hpp"
 #include "pxm/frame_buffer.hpp"
 #include "pxm/machine.hpp"
-#include "tests/support/compile_text.hpp"
+#include "tests/host/engine/assembled.hpp"
 #include "tests/support/folder.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/render_text.hpp"
 
 namespace pxm::host {
 namespace {
 
-using test::on_machine;
 using test::tetra_text;
-
-std::filesystem::path scene_file(const std::string& name) {
-    return std::filesystem::path(test::source_dir) / "scenes" / (name + ".pxm");
-}
-
-/// A request for the node program in DSP32 code: with balls, and constants that are products.
-RenderRequest assembled(const char* model, long columns, long rows) {
-    RenderRequest request = on_machine(model, columns, rows);
-    request.code = NodeCode::assembled;
-    request.overrides.volume = VolumeKind::sphere;
-    request.overrides.lipschitz = LipschitzMethod::product;
-    return request;
-}
-
-RenderResult render_scene(const std::string& name, RenderRequest request) {
-    request.scene_path = scene_file(name).string();
-    return render(request, {});
-}
-
-/// Expects the picture of the counted kernels, with all that is known of its pixels.
-void expect_same(const std::string& name, RenderRequest request) {
-    const RenderResult own = render_scene(name, request);
-    request.code = NodeCode::counted;
-    const RenderResult counted = render_scene(name, request);
-    EXPECT_TRUE(test::same_picture(own.frame, counted.frame)) << name;
-    EXPECT_GT(counted.statistics.rays.hits, 20U) << name;
-    for (std::size_t i = 0; i < own.frame.pixels.size(); ++i) {
-        const PixelRecord &a = own.frame.pixels[i], &b = counted.frame.pixels[i];
-        ASSERT_EQ(a.alpha, b.alpha) << name << " " << i;
-        ASSERT_EQ(a.volumes, b.volumes) << name << " " << i;
-        ASSERT_EQ(a.node, b.node) << name << " " << i;
-        ASSERT_EQ(a.alarms, b.alarms) << name << " " << i;
-        ASSERT_GT(a.cycles, 0U) << name << " " << i;
-    }
-    EXPECT_EQ(own.statistics.rays.volumes_tested, counted.statistics.rays.volumes_tested);
-    EXPECT_EQ(own.statistics.rays.hits, counted.statistics.rays.hits);
-}
 
 TEST(AssembledMachine, tetra_menger_and_elm_are_those_of_the_counted_kernels) {
     for (const char* name : {"tetra", "menger", "elm"})
@@ -216,6 +179,10 @@ TEST(AssembledMachine, its_program_fits_the_fast_memory_and_says_of_what_it_is_m
     EXPECT_EQ(program.used_bytes(), result.statistics.machine->fast_memory.used_bytes);
     EXPECT_LT(program.used_bytes(), fast_memory_bytes);
     EXPECT_EQ(program.modules.front().name, "program");
+    const std::string said = fmt::format("It takes {},{:03} of the 36,864 bytes of fast memory",
+                                         program.used_bytes() / 1000, program.used_bytes() % 1000);
+    const auto document = std::filesystem::path(test::source_dir) / "docs/machine.md";
+    EXPECT_NE(test::text_of(document).find(said), std::string::npos) << said;
 }
 
 }  // namespace
