@@ -38,6 +38,7 @@ struct RenderArguments {
     std::vector<std::string> allowed;
     std::string out;
     std::string machine;
+    std::string program;
     bool native = false;
     std::string cost_model;
     int threads = 0;  // 0: those granted
@@ -73,6 +74,18 @@ SceneOverrides overrides_of(const RenderArguments& a) {
     return overrides;
 }
 
+/// What the nodes run.
+NodeCode parse_program(const std::string& text, const Model* machine) {
+    if (text != "default" && text != "asm")
+        throw Error(ErrorKind::setting,
+                    "--program: expected default or asm, found " + printable(text));
+    if (text == "default") return NodeCode::counted;
+    if (machine == nullptr)
+        throw Error(ErrorKind::setting,
+                    "--program asm: only the machine's nodes run it (--machine MODEL)");
+    return NodeCode::assembled;
+}
+
 RenderRequest request_of(const RenderArguments& a) {
     RenderRequest request;
     request.scene_path = a.scene;
@@ -80,6 +93,7 @@ RenderRequest request_of(const RenderArguments& a) {
     request.allowed = a.allowed;
     request.overrides = overrides_of(a);
     if (!a.machine.empty()) request.machine = &parse_model("--machine", a.machine);
+    if (!a.program.empty()) request.code = parse_program(a.program, request.machine);
     if (!a.cost_model.empty()) request.costs = read_cost_model(a.cost_model);
     const ThreadChoice choice = choose_threads(a.threads);
     request.threads = choice.threads;
@@ -113,6 +127,7 @@ Metadata metadata_of(const Statistics& s, const RenderArguments& a, const Render
             options += fmt::format("{}{} {}", options.empty() ? "" : " ", name, value);
     };
     const auto text = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
+    note("--program", a.program == "asm" ? a.program : "");
     note("--size", a.size);
     note("--crop", a.crop);
     note("--levels", text(a.levels));
@@ -294,11 +309,26 @@ ExitCode render_in_parts(const RenderArguments& arguments) {
     return render_keeping(request, arguments.keep, out);
 }
 
+/// What is the counted kernels' alone.
+void refuse_with_assembled(const RenderArguments& arguments) {
+    if (!arguments.cost_model.empty())
+        throw Error(ErrorKind::setting,
+                    "--cost-model: with --program asm cycles are those of its instructions");
+    if (!arguments.pixel.empty())
+        throw Error(ErrorKind::setting,
+                    "--pixel: a descent is told by the counted kernels, not by --program asm");
+    const auto aovs = arguments.aov.empty() ? std::vector<Aov>{} : parse_aovs(arguments.aov);
+    if (std::ranges::find(aovs, Aov::heap) != aovs.end())
+        throw Error(ErrorKind::setting,
+                    "--aov heap: the most cells in the heap are not known with --program asm");
+}
+
 ExitCode render_command(const RenderArguments& arguments) {
     if (!arguments.cost_model.empty() && arguments.machine.empty()) {
         throw Error(ErrorKind::setting,
                     "--cost-model: cycles are counted on the machine only (--machine MODEL)");
     }
+    if (arguments.program == "asm") refuse_with_assembled(arguments);
     if (!arguments.pixel.empty()) return explain(arguments);
     const bool in_parts =
         !arguments.claim.empty() || !arguments.part.empty() || !arguments.keep.empty();
@@ -321,6 +351,9 @@ AddedCommand add_render_command(CommandLine& line) {
     command
         .add_option("--machine", a->machine, "On a simulated Pixel Machine: 964dX, 964, 940, ...")
         .excludes(native);
+    command.add_option("--program", a->program,
+                       "What its nodes run: default, the counted kernels; or asm, the node program "
+                       "in DSP32 code (docs/dsp32.md)");
     command.add_option("--cost-model", a->cost_model,
                        "Cycles of the machine's operations, a JSON file (docs/machine.md)");
     add_threads_option(command, a->threads);

@@ -47,6 +47,7 @@ std::vector<ValueName> value_names() {
         {"", "--numeric", words(numeric_words)},
         {"", "--stats", "FILE.json"},
         {"render", "--out", "FILE"},
+        {"render", "--program", "default|asm"},
         {"render", "--cost-model", "FILE.json"},
         {"render", "--part", "I/N"},
         {"render", "--claim", "DIR"},

@@ -16,6 +16,12 @@
 
 namespace pxm::host {
 
+/// What the nodes of the machine run.
+enum class NodeCode {
+    counted,    // the kernels, which count what they do
+    assembled,  // dsp_kernels/asm, in a node's own instructions (docs/dsp32.md, "The node program")
+};
+
 /// Which engine, and how.
 struct EngineChoice {
     const Model* machine = nullptr;          // null: native
@@ -25,6 +31,7 @@ struct EngineChoice {
     std::int64_t stack_bytes = 0;            // of a node of the machine
     CostModel costs = default_cost_model();  // of its instructions
     IntersectMethod intersect = IntersectMethod::heap;  // as chosen: not automatic
+    NodeCode code = NodeCode::counted;
 };
 
 /// How a render is watched and stopped from outside.
@@ -118,6 +125,11 @@ class LoadedScene {
 /// Throws Error: a bank is too small (5).
 [[nodiscard]] std::unique_ptr<LoadedScene> load_machine(const CompiledScene& scene,
                                                         const EngineChoice& choice);
+
+/// The same with the node program in DSP32 code. Throws Error: the program does not know what the
+/// scene needs (3), or a bank is too small (5); as its runs do, if a ray needs more than 256 cells.
+[[nodiscard]] std::unique_ptr<LoadedScene> load_assembled_machine(const CompiledScene& scene,
+                                                                  const EngineChoice& choice);
 
 /// The node program on the cores at hand: 8x8 tiles (one pixel of each of the 64 nodes).
 [[nodiscard]] std::unique_ptr<LoadedScene> load_reference(const CompiledScene& scene,

@@ -7,6 +7,7 @@
 
 #include "host/engine/engine.hpp"
 #include "host/engine/gather.hpp"
+#include "host/engine/node_records.hpp"
 #include "host/error.hpp"
 #include "host/node_program/instances.hpp"
 #include "host/process/phase_clock.hpp"
@@ -17,27 +18,10 @@ namespace pxm::host {
 
 namespace {
 
-void refuse(const std::optional<Fault>& fault, const Model& model) {
-    if (!fault) return;
-    throw Error(
-        ErrorKind::machine_limit,
-        fmt::format("the {} of node {} of the {} is too small: {} bytes wanted, {} there",
-                    fault->bank, fault->node, model.name, fault->wanted_bytes, fault->limit_bytes));
-}
-
 kernels::PixelShare share_of(const UnitPixels& unit) {
     const auto word = [](long v) { return static_cast<std::uint32_t>(v); };
     return {word(unit.x0), word(unit.y0),     word(unit.x1),
             word(unit.y1), word(unit.step_x), word(unit.step_y)};
-}
-
-/// Those records of a frame that are a node's.
-std::vector<PixelRecord> records_of(const Frame& frame, const UnitPixels& unit) {
-    std::vector<PixelRecord> records;
-    records.reserve(unit.count());
-    for (long y = unit.y0; y < unit.y1; y += unit.step_y)
-        for (long x = unit.x0; x < unit.x1; x += unit.step_x) records.push_back(frame.at(x, y));
-    return records;
 }
 
 /// The display word: 8 bits each of red, green, blue, alpha, from linear values.

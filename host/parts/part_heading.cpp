@@ -101,6 +101,7 @@ PartHeading heading_of(const StartedRender& started, const RenderRequest& reques
     common.push_back({"method", statistics.intersect});
     common.push_back({"cap of cells", fmt::format("{}", compiled.cell_cap)});
     if (request.machine) common.push_back({of_costs, costs_digest(request.costs.table)});
+    if (request.code == NodeCode::assembled) common.push_back({"program of the nodes", "asm"});
     common.push_back({of_words, hexadecimal(statistics.scene_block_hash)});
     return heading;
 }

@@ -10,6 +10,7 @@
 
 #include "host/engine/overflow.hpp"
 #include "host/error.hpp"
+#include "host/node_program/assembled_program.hpp"
 #include "host/node_program/link.hpp"
 #include "host/node_program/write_scene_block.hpp"
 #include "host/output/spared_inputs.hpp"
@@ -92,6 +93,7 @@ void run(StartedRender& started, const RunControl& control, PictureTaker* taker)
 }  // namespace
 
 std::unique_ptr<LoadedScene> load(const CompiledScene& scene, const EngineChoice& choice) {
+    if (choice.code == NodeCode::assembled) return load_assembled_machine(scene, choice);
     if (choice.machine) return load_machine(scene, choice);
     if (choice.intersect == IntersectMethod::wide) return wide::load_wide(scene, choice);
     return load_reference(scene, choice);
@@ -102,14 +104,15 @@ std::unique_ptr<StartedRender> start_render(const RenderRequest& request) {
     started->prepared = prepare(request);
     const Prepared& prepared = started->prepared;
     require_spared(request.outputs, inputs_of(prepared.scene));
-    const NodeProgram program = link(prepared.compiled);
+    const NodeProgram program =
+        request.code == NodeCode::assembled ? assembled_program().sizes() : link(prepared.compiled);
     if (request.machine) require_fit(program, std::string(request.machine->name));
     const IntersectChoice intersect = intersect_of(prepared, request);
     clear_overflow();  // of what the host computed
     const EngineChoice choice{request.machine,     numeric_of(prepared, request),
                               request.threads,     program.modules_bytes(),
                               program.stack_bytes, request.costs,
-                              intersect.method};
+                              intersect.method,    request.code};
     // The wide engine places cells in double; in float is only what tells a tile's rays apart.
     const Numeric places =
         intersect.method == IntersectMethod::wide ? Numeric::double_ : choice.numeric;

@@ -50,6 +50,7 @@ struct RenderRequest {
     int threads = 1;                         // of the host
     std::string threads_because;             // why so many: for the statistics
     CostModel costs = default_cost_model();  // of the machine
+    NodeCode code = NodeCode::counted;       // of the machine's nodes
     std::optional<long> only_sample;         // of an open shutter: one of the samples of all pixels
     std::optional<std::uint32_t> cell_cap;   // of studies; absent: that of CompiledScene
     std::vector<std::string> outputs;  // to be written: none may be what the scene is read from

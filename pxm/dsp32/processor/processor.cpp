@@ -59,14 +59,16 @@ Word& Processor::fast_word(std::uint32_t address) noexcept {
 
 Stop Processor::run(std::uint64_t steps, std::span<const std::uint32_t> breakpoints) {
     pages_ = pages_of(node_, shown_);
-    if (breakpoints.empty()) return run_freely(steps);
-    for (std::uint64_t i = 0; i < steps; ++i) {
-        if (i > 0 && std::ranges::find(breakpoints, pc_) != breakpoints.end())
-            return {StopReason::breakpoint, pc_, 0, {}};
-        const Stop stop = run_freely(1);
-        if (stop.reason != StopReason::steps_used) return stop;
-    }
-    return {StopReason::steps_used, pc_, 0, {}};
+    if (breakpoints.empty() || steps == 0) return run_freely(steps);
+    Stop stop = run_freely(1);
+    if (stop.reason != StopReason::steps_used) return stop;
+    // What was not decoded yet is looked at, and only there breakpoints cost time.
+    breakpoints_ = breakpoints;
+    for (const std::uint32_t address : breakpoints_) changed(address);
+    stop = run_freely(steps - 1);
+    breakpoints_ = {};
+    if (stop.reason == StopReason::breakpoint) stop_.reset();
+    return stop;
 }
 
 /// What a fetch meets that is no instruction ready to be executed.
@@ -79,6 +81,10 @@ void Processor::look_at(std::uint32_t address) {
             write.due = never;
         }
         if (!stop_) stop_ = Stop{StopReason::ended, address, 0, {}};
+        return;
+    }
+    if (std::ranges::find(breakpoints_, address) != breakpoints_.end()) {
+        stop_ = Stop{StopReason::breakpoint, address, 0, {}};
         return;
     }
     if (address % 4 != 0) return fail(StopReason::misaligned, address, 4);

@@ -115,6 +115,7 @@ class Processor {
     PageTable pages_{};
     std::array<std::uint16_t, window_count> shown_{};
     std::vector<Decoded> program_;
+    std::span<const std::uint32_t> breakpoints_;  // while it runs
 
     std::uint32_t pc_ = return_address;
     std::uint32_t next_ = return_address;        // after the one at pc_

@@ -16,13 +16,16 @@ using dsp32::Word;
 using dsp32::processor::ProcessorNode;
 using dsp32::processor::Program;
 
+inline std::string text_of_kernel(const char* name) {
+    return test::text_of(std::filesystem::path(test::source_dir) / "dsp_kernels/asm" /
+                         (std::string(name) + ".s"));
+}
+
 /// The sources of dsp_kernels/asm, and words for arguments behind the label `arguments`.
 inline std::string kernels(std::initializer_list<const char*> names) {
     std::string source;
-    for (const char* name : names)
-        source += test::text_of(std::filesystem::path(test::source_dir) / "dsp_kernels/asm" /
-                                (std::string(name) + ".s"));
-    return source + "\n.data\narguments: 32*.word 0\n";
+    for (const char* name : names) source += text_of_kernel(name);
+    return source + "\n.data\narguments: 64*.word 0\n";
 }
 
 /// The fewest and the most of several runs.
@@ -40,9 +43,11 @@ struct Cycles {
     }
 };
 
-/// Words of instructions that a kernel's source makes, without those of the kernels it needs.
-inline std::size_t words_of(const char* kernel, std::initializer_list<const char*> needs) {
-    std::string source = kernels({kernel});
+/// Words of instructions that a kernel's source makes, without those of the kernels it needs;
+/// before it stands `names`, which has no instructions.
+inline std::size_t words_of(const char* kernel, std::initializer_list<const char*> needs,
+                            const std::string& names = "") {
+    std::string source = names + text_of_kernel(kernel);
     for (const char* label : needs) source += std::string(".text\n") + label + ": nop\n";
     return dsp32::assembler::assemble(source, dsp32::isa::Dialect::dsp32).object.text.size() -
            needs.size();
@@ -59,8 +64,12 @@ inline void expect_row(const std::string& kernel, std::size_t words, const Cycle
 /// A routine with its arguments in fast memory.
 class Kernel {
   public:
-    Kernel(std::string label, std::initializer_list<const char*> names)
-        : program(kernels(names)), label_(std::move(label)), arguments_(program.at("arguments")) {}
+    /// `more`: source behind that of the files.
+    Kernel(std::string label, std::initializer_list<const char*> names,
+           const std::string& more = "")
+        : program(kernels(names) + ".text\n" + more),
+          label_(std::move(label)),
+          arguments_(program.at("arguments")) {}
 
     /// Puts words from a place on.
     void put(std::uint32_t place, std::initializer_list<Word> words) {

@@ -4,6 +4,7 @@
 
 #include "pxm/dsp32/isa/disassemble.hpp"
 #include "tests/pxm/dsp32/processor/program.hpp"
+#include "tests/pxm/dsp32/processor/random_programs.hpp"
 #include "tests/pxm/dsp32/random_words.hpp"
 
 namespace pxm::dsp32::processor {
@@ -316,34 +317,13 @@ TEST(Processor, steps_and_breakpoints_stop_it) {
 }
 
 TEST(Processor, random_programs_never_leave_the_node_and_never_hang) {
-    std::mt19937_64 engine(17);
-    int by_reason[8] = {};
-    for (int i = 0; i < 2'000; ++i) {
-        ProcessorNode node({}, 0);
-        ASSERT_TRUE(node.back_buffer().reserve(100));
-        ASSERT_TRUE(node.texture().reserve(5000));
-        Processor processor(node);
-        std::vector<Word> words(200);
-        for (Word& word : words) {
-            const std::uint64_t bits = engine();
-            const auto formats = isa::formats();
-            const isa::Format& format = formats[(bits >> 32U) % 19];  // the first DSP32's
-            word = (static_cast<Word>(bits) & ~format.fixed_mask) | format.fixed_bits;
-            if (format.operation == isa::Operation::branch && bits >> 60U != 0)
-                word = (word & 0xFFE0'0000U) | static_cast<Word>(bits % 200 * 4);
-        }
-        ASSERT_FALSE(processor.load(words));
-        processor.start(0);
-        for (unsigned r = 1; r < 14; ++r)
-            processor.set_register(r, static_cast<std::uint16_t>(engine() % 0x9000 / 4 * 4));
-        const Stop stop = processor.run(5'000);
-        ++by_reason[static_cast<int>(stop.reason)];
-        EXPECT_EQ(stop.fault.has_value(),
-                  stop.reason == StopReason::fault || stop.reason == StopReason::misaligned);
-        EXPECT_LE(processor.instructions(), 5'000U);
-    }
+    const StopCounts stops = try_random_programs(17, 2'000);
     for (const StopReason reason : {StopReason::fault, StopReason::misaligned, StopReason::illegal})
-        EXPECT_GT(by_reason[static_cast<int>(reason)], 0) << text_of(reason);
+        EXPECT_GT(stops[static_cast<std::size_t>(reason)], 0) << text_of(reason);
+}
+
+TEST(Processor, a_run_to_a_breakpoint_is_that_many_single_steps) {
+    EXPECT_GT(try_breakpoints(18, 500), 10);
 }
 
 }  // namespace
