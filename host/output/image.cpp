@@ -64,7 +64,7 @@ void require_image_format(const std::string& path, const std::vector<Aov>& aovs)
 
 ImageWriter::ImageWriter(const std::string& path, const CropWindow& window,
                          const std::vector<Aov>& aovs, const Metadata& metadata)
-    : encoder_(extension_of(path) == "png" ? make_png_encoder(path, window)
+    : encoder_(extension_of(path) == "png" ? make_png_encoder(path, window, metadata)
                                            : make_library_encoder(path, window, aovs, metadata)) {}
 
 ImageWriter::~ImageWriter() = default;

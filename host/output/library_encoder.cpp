@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "host/files/carried_text.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/output/encoder.hpp"
 #include "host/output/pixel_values.hpp"
@@ -114,7 +115,9 @@ PictureSpec LibraryEncoder::spec(const Metadata& metadata) const {
     if (is_exr_) {
         spec.metadata.emplace_back("compression", "zip");
         // No colon in the names: to some readers what stands before it is a channel's.
-        for (const auto& [name, value] : metadata) spec.metadata.emplace_back("pxm_" + name, value);
+        for (const auto& [name, value] : metadata)
+            spec.metadata.emplace_back("pxm_" + name,
+                                       name == carried_metadata ? exr_carried(value) : value);
     }
     return spec;
 }
