@@ -67,6 +67,8 @@ std::vector<ValueName> value_names() {
         {"inspect", "--point", "MAP,..."},
         {"inspect", "--out", "FILE"},
         {"points", "--out", "FILE.ply"},
+        {"points", "--precision", "auto|float|double"},
+        {"points", "--offset", "X,Y,Z"},
         {"import", "file", "FILE"},
         {"import", "--out", "FILE.pxm"},
         {"import", "--entry", "ENTRY"},
