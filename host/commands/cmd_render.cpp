@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "host/commands/cmd.hpp"
+#include "host/commands/exr_options.hpp"
 #include "host/commands/film_stream.hpp"
 #include "host/commands/option_checks.hpp"
 #include "host/commands/picture_options.hpp"
@@ -118,6 +119,7 @@ Metadata metadata_of(const RenderArguments& a, const RenderResult& result, Scene
                       {"options", options},
                       {"pixel_at_eye", fmt::format("{:.17g}", result.pixel_at_eye)},
                       {"pixel_growth", fmt::format("{:.17g}", result.pixel_growth)}};
+    for (const auto& entry : exr_metadata(a, s.size)) metadata.push_back(entry);
     if (!carried.empty()) metadata.emplace_back(carried_metadata, std::move(carried));
     return metadata;
 }
@@ -130,18 +132,19 @@ class PictureToFile : public PictureTaker {
   public:
     PictureToFile(const RenderArguments& arguments, const std::string& path,
                   const std::vector<Aov>& aovs, Warnings warnings, SceneCarrier& carrier,
-                  double frame)
+                  double frame, const ExtraChannels* extra)
         : arguments_(arguments),
           path_(path),
           aovs_(aovs),
           warnings_(warnings),
           carrier_(carrier),
-          frame_(frame) {}
+          frame_(frame),
+          extra_(extra) {}
 
     void begin(const RenderResult& known) override {
         if (warnings_ == Warnings::before) tell(told_ = known.warnings);
         writer_.emplace(path_, known.window, aovs_,
-                        metadata_of(arguments_, known, carrier_, frame_));
+                        metadata_of(arguments_, known, carrier_, frame_), extra_);
     }
     void take(const Frame& part) override { writer_->append(part); }
     void finish() { writer_->finish(); }
@@ -157,6 +160,7 @@ class PictureToFile : public PictureTaker {
     Warnings warnings_;
     SceneCarrier& carrier_;
     double frame_;
+    const ExtraChannels* extra_;  // or null
     std::string told_;
     std::optional<ImageWriter> writer_;
 };
@@ -197,7 +201,12 @@ RenderResult write_picture(const RenderArguments& arguments, const RenderRequest
                            SceneCarrier& carrier) {
     PhaseClock clock;
     const std::vector<Aov> aovs = aovs_of(arguments);
-    PictureToFile picture(arguments, out, aovs, warnings, carrier, request.frame);
+    const std::vector<MatteKind> kinds = parse_mattes(arguments.cryptomatte);
+    std::vector<MatteLayer> mattes;
+    if (!kinds.empty()) mattes = render_mattes(request, kinds, control);
+    const ExtraChannels extra = matte_channels(mattes);
+    PictureToFile picture(arguments, out, aovs, warnings, carrier, request.frame,
+                          kinds.empty() ? nullptr : &extra);
     RenderResult result = render(request, control, &picture);
     picture.take_told(result.warnings);
     if (result.stopped) return result;
@@ -221,6 +230,7 @@ ExitCode render_picture(const RenderArguments& arguments) {
     RenderRequest request = request_of(arguments);
     const std::string out = arguments.out.empty() ? default_out(arguments.scene) : arguments.out;
     require_image_format(out, aovs_of(arguments));
+    require_exr_options(arguments, aovs_of(arguments), out);
     request.outputs = outputs_of(arguments, out);
     RenderResult result;
     {
@@ -242,6 +252,8 @@ ExitCode render_picture(const RenderArguments& arguments) {
 
 /// What --frames, or frames on the standard output, make of it.
 ExitCode render_film(const RenderArguments& arguments) {
+    const bool frames_are_files = arguments.out.ends_with(".exr");
+    if (!frames_are_files) require_exr_options(arguments, aovs_of(arguments), arguments.out);
     FilmJob job;
     job.request = request_of(arguments);
     job.frames = arguments.frames;
@@ -252,6 +264,7 @@ ExitCode render_film(const RenderArguments& arguments) {
     const std::vector<Aov> aovs = aovs_of(arguments);
     job.require_picture = [&arguments, aovs](const std::string& out) {
         require_image_format(out, aovs);
+        require_exr_options(arguments, aovs, out);
         (void)outputs_of(arguments, out);
     };
     SceneCarrier carrier(arguments);
@@ -274,6 +287,7 @@ ExitCode render_film_in_parts(const RenderArguments& arguments, const FilmReques
 }
 
 ExitCode render_in_parts(const RenderArguments& arguments) {
+    require_exr_options(arguments, aovs_of(arguments), arguments.out);
     PartsRequest request = parts_request_of(arguments);
     if (!arguments.claim.empty() && !arguments.out.empty())
         throw Error(ErrorKind::setting, "-o: the parts are put into the folder of --claim");
@@ -363,6 +377,11 @@ AddedCommand add_render_command(CommandLine& line) {
     command.add_option("--aov", a->aov,
                        "Extra EXR channels: Z,node,cycles,volumes,level,heap,"
                        "alpha,object,word,N");
+    command.add_option("--half", a->half, "Channels that an EXR keeps in 16 bits: color,Z,N,alpha");
+    command.add_flag("--data-window", a->data_window,
+                     "A crop in an EXR stands at its place in the whole image");
+    command.add_option("--cryptomatte", a->cryptomatte,
+                       "Ids in an EXR for compositing programs: object, map or both");
     command.add_option("--pixel", a->pixel, "x,y: print this pixel's descent instead");
     command.add_flag("--no-scene", a->no_scene, "The picture does not carry its scene");
     command.add_flag("--quiet", a->quiet, "No progress bar, no summary");

@@ -60,6 +60,8 @@ std::vector<ValueName> value_names() {
         {"render", "--frames", "LIST"},
         {"render", "--format", "y4m|ppm"},
         {"render", "--aov", channel_words()},
+        {"render", "--half", "color|Z|N|alpha,..."},
+        {"render", "--cryptomatte", "object|map,..."},
         {"render", "--pixel", "X,Y"},
         {"join", "folder", "DIR"},
         {"join", "--out", "FILE"},

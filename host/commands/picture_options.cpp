@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "host/commands/exr_options.hpp"
 #include "host/error.hpp"
 #include "host/process/terminal.hpp"
 #include "host/render/render_options.hpp"
@@ -30,6 +31,7 @@ constexpr HeldText held_texts[] = {
     {"--covers", &RenderArguments::covers},       {"--shading", &RenderArguments::shading},
     {"--intersect", &RenderArguments::intersect}, {"--lipschitz", &RenderArguments::lipschitz},
     {"--volume", &RenderArguments::volume},       {"--aov", &RenderArguments::aov},
+    {"--half", &RenderArguments::half},           {"--cryptomatte", &RenderArguments::cryptomatte},
 };
 
 struct HeldWhole {
@@ -63,6 +65,7 @@ Options options_of(const RenderArguments& arguments) {
     for (const HeldNumber& held : held_numbers)
         if (const auto value = arguments.*held.value)
             options.emplace_back(held.name, fmt::format("{}", *value));
+    if (arguments.data_window) options.emplace_back("--data-window", "");
     for (const std::string& setting : arguments.set) options.emplace_back("--set", setting);
     return options;
 }
@@ -95,7 +98,8 @@ bool take(const std::string& name, const std::string& value, RenderArguments& ar
     }
     if (name == "--set") arguments.set.push_back(value);
     if (name == "--frames") arguments.frames = value;
-    return name == "--set" || name == "--frames";
+    if (name == "--data-window") arguments.data_window = true;
+    return name == "--set" || name == "--frames" || name == "--data-window";
 }
 
 /// Throws Error(ErrorKind::setting) for what the command line would not take.
@@ -109,7 +113,8 @@ void require_sound(const RenderArguments& a) {
     if (!a.intersect.empty()) (void)parse_intersect(a.intersect);
     if (!a.lipschitz.empty()) (void)parse_lipschitz(a.lipschitz);
     if (!a.volume.empty()) (void)parse_volume(a.volume);
-    if (!a.aov.empty()) (void)parse_aovs(a.aov);
+    const std::vector<Aov> aovs = a.aov.empty() ? std::vector<Aov>{} : parse_aovs(a.aov);
+    require_exr_options(a, aovs, ".exr");
     (void)parse_settings(a.set);
 }
 
@@ -145,11 +150,17 @@ void hold_options_of_picture(RenderArguments& arguments) {
     const bool in_parts = !arguments.part.empty() || !arguments.claim.empty();
     const auto dot = arguments.out.rfind('.');
     const bool is_exr = dot != std::string::npos && arguments.out.substr(dot) == ".exr";
-    if (!in_parts && !is_exr) old.aov.clear();  // others have no room for them
+    if (!in_parts && !is_exr) {  // others have no room for them
+        old.aov.clear();
+        old.half.clear();
+        old.data_window = false;
+    }
+    if (in_parts || !arguments.keep.empty() || !is_exr) old.cryptomatte.clear();
     for (const HeldText& held : held_texts) hold(arguments.*held.value, old.*held.value);
     for (const HeldWhole& held : held_wholes) hold(arguments.*held.value, old.*held.value);
     for (const HeldNumber& held : held_numbers) hold(arguments.*held.value, old.*held.value);
     hold(arguments.frames, old.frames);
+    hold(arguments.data_window, old.data_window);
     arguments.set.insert(arguments.set.begin(), old.set.begin(), old.set.end());
 }
 

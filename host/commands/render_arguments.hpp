@@ -28,6 +28,8 @@ struct RenderArguments {
     std::optional<long> heap;
     std::optional<double> detail;
     std::optional<double> zoom;
+    std::string half, cryptomatte;
+    bool data_window = false;
     std::string frames, format;
     bool no_scene = false;
     bool quiet = false;

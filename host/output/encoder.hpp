@@ -22,7 +22,7 @@ class ImageWriter::Encoder {
                                                                      const Metadata& metadata);
 [[nodiscard]] std::unique_ptr<ImageWriter::Encoder> make_library_encoder(
     const std::string& path, const CropWindow& window, const std::vector<Aov>& aovs,
-    const Metadata& metadata);
+    const Metadata& metadata, const ExtraChannels* extra);
 
 /// The extension in small letters, without the dot; empty if there is none.
 [[nodiscard]] std::string extension_of(const std::string& path);
