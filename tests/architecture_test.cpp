@@ -40,7 +40,7 @@ struct Rule {
 const Rule library_rules[] = {
     {R"(#include\s*<OpenImageIO/)", "host/openimageio/.*", "OpenImageIO"},
     {R"(#include\s*<OpenEXR/)", "host/openexr/.*", "OpenEXR"},
-    {R"(#include\s*<zlib\.h>)", "host/output/png\\.cpp", "zlib"},
+    {R"(#include\s*<zlib\.h>)", "host/(output/png|files/deflated)\\.cpp", "zlib"},
     {R"(#include\s*<CLI/)", "host/commands/options\\.cpp", "CLI11"},
     {R"(#include\s*<nlohmann/)", "host/(.*json[^/]*|output/.*|commands/.*|study/.*)",
      "nlohmann-json"},

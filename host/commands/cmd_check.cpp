@@ -4,6 +4,7 @@
 
 #include "host/commands/cmd.hpp"
 #include "host/commands/option_checks.hpp"
+#include "host/commands/picture_options.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/process/terminal.hpp"
 #include "host/render/findings.hpp"
@@ -23,13 +24,14 @@ struct CheckArguments {
 };
 
 /// Prints the findings; what a scene ends with.
-ExitCode check_one(const std::string& scene, const Settings& settings,
-                   const CheckArguments& arguments) {
+ExitCode check_one(const std::string& scene, const CheckArguments& arguments) {
     Findings found;
     try {
-        found = findings_of(scene, settings, arguments.allowed);
+        std::vector<std::string> set = arguments.set;
+        hold_settings_of_picture(scene, set);
+        found = findings_of(scene, parse_settings(set), arguments.allowed);
     } catch (const Error& error) {
-        if (error.kind() != ErrorKind::file) throw;
+        if (error.kind() != ErrorKind::file && error.kind() != ErrorKind::scene) throw;
         tell(std::string(error.what()) + "\n");
         return exit_code_of(error.kind());
     }
@@ -39,19 +41,18 @@ ExitCode check_one(const std::string& scene, const Settings& settings,
 
 /// Whether its text can be read as a scene: what is wrong beyond that has no bearing on its form.
 void print_formatted(const std::string& scene, const std::vector<std::string>& allowed) {
-    const std::string text = read_file(scene);
     Diagnostics diagnostics;
     const Scene parsed = parse_scene(scene, diagnostics, allowed);
-    if (!diagnostics.has_errors()) put_result(format_scene(text));
+    if (!diagnostics.has_errors()) put_result(format_scene(parsed.files.front().text));
 }
 
 ExitCode check(const CheckArguments& arguments) {
     if (arguments.format && arguments.scenes.size() > 1)
         throw Error(ErrorKind::setting, "--format: it prints one scene, give it no more");
-    const Settings settings = parse_settings(arguments.set);
+    (void)parse_settings(arguments.set);  // what is wrong with these is told before any scene
     ExitCode worst = ExitCode::done;
     for (const std::string& scene : arguments.scenes) {
-        const ExitCode code = check_one(scene, settings, arguments);
+        const ExitCode code = check_one(scene, arguments);
         worst = std::max(worst, code);
     }
     if (arguments.format && worst != ExitCode::file)

@@ -8,6 +8,8 @@
 
 #include "host/commands/cmd.hpp"
 #include "host/commands/option_checks.hpp"
+#include "host/commands/picture_options.hpp"
+#include "host/commands/points_coordinates.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/fractal/measure/chaos_game.hpp"
@@ -40,12 +42,14 @@ struct PointsArguments {
     std::uint64_t count = 0;
     std::uint64_t seed = 1;
     std::string keep;
+    std::string precision = "auto";
+    std::string offset;
     int threads = 0;  // 0: those granted
     bool quiet = false;
 };
 
-/// What the first points of each object say of all; a copy of its game draws them.
-CoordinateNumber number_for_players(const std::vector<PointGame>& players) {
+/// The boxes of the objects, of the first points of each; a copy of its game draws them.
+std::vector<CloudExtent> extents_of(const std::vector<PointGame>& players) {
     constexpr int looked_at = 4096;
     std::vector<CloudExtent> extents;
     for (PointGame player : players) {
@@ -53,19 +57,29 @@ CoordinateNumber number_for_players(const std::vector<PointGame>& players) {
         for (int i = 0; i < looked_at; ++i)
             extent.add(player.instance.point(player.game.next().place));
     }
-    return number_for(extents);
+    return extents;
 }
 
 /// The points of a file, as they come in it: objects one after another, with equal shares.
 class Cloud {
   public:
-    Cloud(const std::vector<PointGame>& players, std::uint64_t count)
-        : players_(players),
-          number_(number_for_players(players)),
-          chunks_(point_chunks(players.size(), count)) {}
+    Cloud(const std::vector<PointGame>& players, std::uint64_t count, const Coordinates& coordinates)
+        : players_(players), coordinates_(coordinates) {
+        for (std::size_t i = 0; i < players.size(); ++i) {
+            const auto begin = [&](std::size_t player) {
+                return count / players.size() * player +
+                       std::min<std::uint64_t>(count % players.size(), player);
+            };
+            std::uint64_t left = begin(i + 1) - begin(i);
+            for (std::uint32_t number = 0; left > 0; ++number) {
+                const std::uint64_t points = std::min(left, ChaosGame::chunk_points);
+                chunks_.push_back({i, number, points});
+                left -= points;
+            }
+        }
+    }
 
     [[nodiscard]] std::size_t chunks() const { return chunks_.size(); }
-    [[nodiscard]] CoordinateNumber number() const { return number_; }
 
     /// The bytes of a chunk. Any thread.
     [[nodiscard]] std::string draw(std::size_t i) const {
@@ -73,18 +87,19 @@ class Cloud {
         const PointGame& player = players_[chunk.game];
         ChaosGame game = player.game;
         game.seek(chunk.number);
-        PlyPoints points(number_);
+        PlyPoints points(coordinates_.number);
         for (std::uint64_t n = 0; n < chunk.points; ++n) {
             const CloudPoint point = game.next();
-            points.add(player.instance.point(point.place), point.blend.of(player.color));
+            points.add(player.instance.point(point.place) - coordinates_.offset,
+                       point.blend.of(player.color));
         }
         return points.bytes();
     }
 
   private:
     const std::vector<PointGame>& players_;
-    CoordinateNumber number_;
-    std::vector<PointChunk> chunks_;
+    Coordinates coordinates_;
+    std::vector<Chunk> chunks_;
 };
 
 /// Draws chunks from all threads; false if a signal came.
@@ -128,7 +143,8 @@ void keep_points(const Cloud& cloud, const std::string& header, const std::strin
     make_part_folder(arguments.keep);
     std::string warnings;
     KeptUnits kept(arguments.keep, heading, cloud.chunks(),
-                   "is of other points: another scene, count, seed or version", warnings);
+                   "is of other points: another scene, count, seed, version, precision or offset",
+                   warnings);
     tell(warnings);
     const std::vector<std::size_t> missing = kept.missing();
     KeptBatches batches(arguments.keep, heading);
@@ -149,6 +165,7 @@ void keep_points(const Cloud& cloud, const std::string& header, const std::strin
 
 ExitCode run_points(const PointsArguments& arguments) {
     const Settings settings = parse_settings(arguments.set);
+    require_coordinates(arguments.precision, arguments.offset);
     require_writable(arguments.out);
     Diagnostics diagnostics;
     const Scene scene = parse_scene(arguments.scene, settings, diagnostics, arguments.allowed);
@@ -160,17 +177,24 @@ ExitCode run_points(const PointsArguments& arguments) {
     const std::string warnings = diagnostics.warnings_text(scene.files);
     if (!warnings.empty()) tell(warnings + "\n");
 
-    const Cloud cloud(players, arguments.count);
-    const std::string header = ply_header(
-        arguments.count, "pxm " PXM_VERSION " points of " + arguments.scene, cloud.number());
+    const Coordinates coordinates =
+        coordinates_of(extents_of(players), arguments.precision, arguments.offset);
+    const Cloud cloud(players, arguments.count, coordinates);
+    const std::string header =
+        ply_header(arguments.count, "pxm " PXM_VERSION " points of " + arguments.scene,
+                   coordinates.number, coordinates.offset);
     const int threads = choose_threads(arguments.threads).threads;
     try {
         if (arguments.keep.empty()) {
             write_points(cloud, header, threads, arguments);
         } else {
+            const glm::dvec3& offset = coordinates.offset;
             const std::string heading = fmt::format(
-                R"({{"points":{{"version":"{}","scene":"{:016x}","count":{},"seed":{}}}}})",
-                PXM_VERSION, digest_of(print_scene(scene)), arguments.count, arguments.seed);
+                R"({{"points":{{"version":"{}","scene":"{:016x}","count":{},"seed":{},)"
+                R"("bits":{},"offset":[{},{},{}]}}}})",
+                PXM_VERSION, digest_of(print_scene(scene)), arguments.count, arguments.seed,
+                coordinates.number == CoordinateNumber::single ? 32 : 64, offset.x, offset.y,
+                offset.z);
             keep_points(cloud, header, heading, threads, arguments);
         }
     } catch (const Stopped&) {
@@ -198,12 +222,19 @@ AddedCommand add_points_command(CommandLine& line) {
     command.add_option(
         "--keep", a->keep,
         "Put what is drawn into this folder now and then; run again, go on from there");
+    command.add_option("--precision", a->precision, "float, double, or auto (default)")
+        .check(some_text());
+    command
+        .add_option("--offset", a->offset,
+                    "x,y,z that are taken off the coordinates, or auto: the cloud's middle")
+        .check(some_text());
     add_threads_option(command, a->threads);
     add_set_option(command, a->set);
     add_allow_option(command, a->allowed);
     command.add_flag("--quiet", a->quiet, "No progress bar");
     return {command, [a] {
                 find_scene_by_name(a->scene, a->allowed);
+                hold_settings_of_picture(a->scene, a->set);
                 return run_points(*a);
             }};
 }

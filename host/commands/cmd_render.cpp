@@ -8,14 +8,18 @@
 #include <memory>
 
 #include "host/commands/cmd.hpp"
+#include "host/commands/exr_options.hpp"
 #include "host/commands/film_stream.hpp"
 #include "host/commands/option_checks.hpp"
+#include "host/commands/picture_options.hpp"
+#include "host/commands/render_arguments.hpp"
 #include "host/commands/render_film_parts.hpp"
 #include "host/commands/render_frames.hpp"
 #include "host/commands/render_parts.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/output/cost_model_json.hpp"
+#include "host/output/encoder.hpp"
 #include "host/output/image.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/output/statistics_json.hpp"
@@ -32,36 +36,12 @@ namespace pxm::host {
 
 namespace {
 
-/// The options as they were written; empty where they were not.
-struct RenderArguments {
-    std::string scene;
-    std::vector<std::string> allowed;
-    std::string out;
-    std::string machine;
-    std::string program;
-    bool native = false;
-    std::string cost_model;
-    int threads = 0;  // 0: those granted
-    std::string stats;
-    std::string part, keep, claim;
-    double claim_expiry = 60;  // seconds
-    std::vector<std::string> set;
-    std::string size, crop, numeric, covers, shading, intersect, lipschitz, volume, aov, pixel;
-    std::optional<long> levels;
-    std::optional<long> samples;
-    std::optional<long> heap;
-    std::optional<double> detail;
-    double zoom = 1;
-    std::string frames, format;
-    bool quiet = false;
-};
-
 SceneOverrides overrides_of(const RenderArguments& a) {
     SceneOverrides overrides;
     if (!a.size.empty()) overrides.size = parse_size(a.size);
     if (!a.crop.empty()) overrides.crop = parse_crop(a.crop);
     overrides.levels = a.levels;
-    overrides.zoom = a.zoom;
+    overrides.zoom = a.zoom.value_or(1);
     overrides.samples = a.samples;
     overrides.detail = a.detail;
     overrides.heap = a.heap;
@@ -120,7 +100,9 @@ std::vector<std::string> outputs_of(const RenderArguments& arguments, const std:
     return outputs;
 }
 
-Metadata metadata_of(const Statistics& s, const RenderArguments& a, const RenderResult& result) {
+Metadata metadata_of(const RenderArguments& a, const RenderResult& result, SceneCarrier& carrier,
+                     double frame) {
+    const Statistics& s = result.statistics;
     std::string options;
     const auto note = [&](const char* name, const std::string& value) {
         if (!value.empty())
@@ -131,7 +113,7 @@ Metadata metadata_of(const Statistics& s, const RenderArguments& a, const Render
     note("--size", a.size);
     note("--crop", a.crop);
     note("--levels", text(a.levels));
-    note("--zoom", a.zoom == 1 ? "" : fmt::format("{}", a.zoom));
+    note("--zoom", a.zoom == 1.0 ? "" : text(a.zoom));
     note("--samples", text(a.samples));
     note("--covers", a.covers);
     note("--shading", a.shading);
@@ -142,14 +124,18 @@ Metadata metadata_of(const Statistics& s, const RenderArguments& a, const Render
     note("--heap", text(a.heap));
     const std::string settings = text_of(parse_settings(a.set));
     if (!settings.empty()) options += (options.empty() ? "" : " ") + settings;
-    return {{"version", PXM_VERSION},
-            {"scene", s.scene},
-            {"engine", s.engine},
-            {"model", s.model},
-            {"numeric", s.numeric},
-            {"options", options},
-            {"pixel_at_eye", fmt::format("{:.17g}", result.pixel_at_eye)},
-            {"pixel_growth", fmt::format("{:.17g}", result.pixel_growth)}};
+    std::string carried = carrier.text(frame);
+    Metadata metadata{{"version", PXM_VERSION},
+                      {"scene", carrier.name()},
+                      {"engine", s.engine},
+                      {"model", s.model},
+                      {"numeric", s.numeric},
+                      {"options", options},
+                      {"pixel_at_eye", fmt::format("{:.17g}", result.pixel_at_eye)},
+                      {"pixel_growth", fmt::format("{:.17g}", result.pixel_growth)}};
+    for (const auto& entry : exr_metadata(a, s.size)) metadata.push_back(entry);
+    if (!carried.empty()) metadata.emplace_back(carried_metadata, std::move(carried));
+    return metadata;
 }
 
 /// Whether what is known to be doubtful is told before the first ray, or by whoever collects it.
@@ -159,13 +145,20 @@ enum class Warnings { before, after };
 class PictureToFile : public PictureTaker {
   public:
     PictureToFile(const RenderArguments& arguments, const std::string& path,
-                  const std::vector<Aov>& aovs, Warnings warnings)
-        : arguments_(arguments), path_(path), aovs_(aovs), warnings_(warnings) {}
+                  const std::vector<Aov>& aovs, Warnings warnings, SceneCarrier& carrier,
+                  double frame, const ExtraChannels* extra)
+        : arguments_(arguments),
+          path_(path),
+          aovs_(aovs),
+          warnings_(warnings),
+          carrier_(carrier),
+          frame_(frame),
+          extra_(extra) {}
 
     void begin(const RenderResult& known) override {
         if (warnings_ == Warnings::before) tell(told_ = known.warnings);
         writer_.emplace(path_, known.window, aovs_,
-                        metadata_of(known.statistics, arguments_, known));
+                        metadata_of(arguments_, known, carrier_, frame_), extra_);
     }
     void take(const Frame& part) override { writer_->append(part); }
     void finish() { writer_->finish(); }
@@ -179,6 +172,9 @@ class PictureToFile : public PictureTaker {
     const std::string& path_;
     const std::vector<Aov>& aovs_;
     Warnings warnings_;
+    SceneCarrier& carrier_;
+    double frame_;
+    const ExtraChannels* extra_;  // or null
     std::string told_;
     std::optional<ImageWriter> writer_;
 };
@@ -204,8 +200,9 @@ PartsRequest parts_request_of(const RenderArguments& arguments) {
     PartsRequest parts;
     parts.channels = aovs_of(arguments);
     parts.render = request_of(arguments);
-    parts.metadata = [&arguments](const RenderResult& result) {
-        return metadata_of(result.statistics, arguments, result);
+    parts.metadata = [&arguments, carrier = std::make_shared<SceneCarrier>(arguments)](
+                         const RenderResult& result, double frame) {
+        return metadata_of(arguments, result, *carrier, frame);
     };
     parts.stats = arguments.stats;
     parts.quiet = arguments.quiet;
@@ -214,10 +211,16 @@ PartsRequest parts_request_of(const RenderArguments& arguments) {
 
 /// Renders one picture into its file; nothing is written if it was stopped.
 RenderResult write_picture(const RenderArguments& arguments, const RenderRequest& request,
-                           const std::string& out, const RunControl& control, Warnings warnings) {
+                           const std::string& out, const RunControl& control, Warnings warnings,
+                           SceneCarrier& carrier) {
     PhaseClock clock;
     const std::vector<Aov> aovs = aovs_of(arguments);
-    PictureToFile picture(arguments, out, aovs, warnings);
+    const std::vector<MatteKind> kinds = parse_mattes(arguments.cryptomatte);
+    std::vector<MatteLayer> mattes;
+    if (!kinds.empty()) mattes = render_mattes(request, kinds, control);
+    const ExtraChannels extra = matte_channels(mattes);
+    PictureToFile picture(arguments, out, aovs, warnings, carrier, request.frame,
+                          kinds.empty() ? nullptr : &extra);
     RenderResult result = render(request, control, &picture);
     picture.take_told(result.warnings);
     if (result.stopped) return result;
@@ -241,6 +244,7 @@ ExitCode render_picture(const RenderArguments& arguments) {
     RenderRequest request = request_of(arguments);
     const std::string out = arguments.out.empty() ? default_out(arguments.scene) : arguments.out;
     require_image_format(out, aovs_of(arguments));
+    require_exr_options(arguments, aovs_of(arguments), out);
     request.outputs = outputs_of(arguments, out);
     RenderResult result;
     {
@@ -248,7 +252,8 @@ ExitCode render_picture(const RenderArguments& arguments) {
         RunControl control;
         control.stop = &stop_requested();
         if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
-        result = write_picture(arguments, request, out, control, Warnings::before);
+        SceneCarrier carrier(arguments);
+        result = write_picture(arguments, request, out, control, Warnings::before, carrier);
     }
     if (result.stopped) return exit_code_of_signal(received_signal());
     tell(result.warnings);
@@ -261,6 +266,8 @@ ExitCode render_picture(const RenderArguments& arguments) {
 
 /// What --frames, or frames on the standard output, make of it.
 ExitCode render_film(const RenderArguments& arguments) {
+    const bool frames_are_files = arguments.out.ends_with(".exr");
+    if (!frames_are_files) require_exr_options(arguments, aovs_of(arguments), arguments.out);
     FilmJob job;
     job.request = request_of(arguments);
     job.frames = arguments.frames;
@@ -271,11 +278,13 @@ ExitCode render_film(const RenderArguments& arguments) {
     const std::vector<Aov> aovs = aovs_of(arguments);
     job.require_picture = [&arguments, aovs](const std::string& out) {
         require_image_format(out, aovs);
+        require_exr_options(arguments, aovs, out);
         (void)outputs_of(arguments, out);
     };
+    SceneCarrier carrier(arguments);
     job.write_picture = [&](const RenderRequest& request, const std::string& out,
                             const RunControl& control) {
-        return write_picture(arguments, request, out, control, Warnings::after);
+        return write_picture(arguments, request, out, control, Warnings::after, carrier);
     };
     return render_frames(job);
 }
@@ -292,6 +301,7 @@ ExitCode render_film_in_parts(const RenderArguments& arguments, const FilmReques
 }
 
 ExitCode render_in_parts(const RenderArguments& arguments) {
+    require_exr_options(arguments, aovs_of(arguments), arguments.out);
     PartsRequest request = parts_request_of(arguments);
     if (!arguments.claim.empty() && !arguments.out.empty())
         throw Error(ErrorKind::setting, "-o: the parts are put into the folder of --claim");
@@ -343,7 +353,8 @@ ExitCode render_command(const RenderArguments& arguments) {
 AddedCommand add_render_command(CommandLine& line) {
     const auto a = std::make_shared<RenderArguments>();
     CommandOptions command = line.add_command("render", "Render a scene to a picture");
-    command.add_option("scene", a->scene, "The scene file (.pxm)").required();
+    command.add_option("scene", a->scene, "The scene file (.pxm), or a picture that carries one")
+        .required();
     command.add_option("-o,--out", a->out,
                        "The picture, by extension png, exr, tif, jpg, ...; "
                        "default: the scene's name + .png");
@@ -378,12 +389,11 @@ AddedCommand add_render_command(CommandLine& line) {
     command.add_option("--size", a->size, "WxH in pixels");
     command.add_option("--crop", a->crop, "x0,y0,x1,y1: only this window, half open");
     command.add_option("--levels", a->levels, "Stop after so many maps")
-        .transform(whole_number(0, 1'000'000'000));
+        .transform(check_of_levels());
     command.add_option("--zoom", a->zoom, "Move the eye to look + (eye - look) / F")
         .transform(positive_number());
     command.add_option("--numeric", a->numeric, "dsp32, float or double");
-    command.add_option("--samples", a->samples, "Samples a pixel")
-        .transform(whole_number(1, 65536));
+    command.add_option("--samples", a->samples, "Samples a pixel").transform(check_of_samples());
     command.add_option("--covers", a->covers, "on, off, area, or tmin,tmax in pixels");
     command.add_option("--shading", a->shading, "constant, low-pass, high-pass or facet");
     command.add_option("--intersect", a->intersect, "auto, heap, fast or wide");
@@ -391,7 +401,7 @@ AddedCommand add_render_command(CommandLine& line) {
     command.add_option("--volume", a->volume, "auto, sphere, box, oriented or hull");
     command.add_option("--detail", a->detail, "Cells are terminal at so many pixels")
         .transform(positive_number());
-    command.add_option("--heap", a->heap, "Entries of the heap").transform(whole_number(1, 65536));
+    command.add_option("--heap", a->heap, "Entries of the heap").transform(check_of_heap());
     command.add_option("--frames", a->frames,
                        "Frames of an animation: 0-599, 0-599:10, 3,7,20-30; to "
                        "-o frames/%04d.png, film.mp4, film.webm, film.gif, or - with --format");
@@ -399,12 +409,19 @@ AddedCommand add_render_command(CommandLine& line) {
     command.add_option("--aov", a->aov,
                        "Extra EXR channels: Z,node,cycles,volumes,level,heap,"
                        "alpha,object,word,N");
+    command.add_option("--half", a->half, "Channels that an EXR keeps in 16 bits: color,Z,N,alpha");
+    command.add_flag("--data-window", a->data_window,
+                     "A crop in an EXR stands at its place in the whole image");
+    command.add_option("--cryptomatte", a->cryptomatte,
+                       "Ids in an EXR for compositing programs: object, map or both");
     command.add_option("--pixel", a->pixel, "x,y: print this pixel's descent instead");
+    command.add_flag("--no-scene", a->no_scene, "The picture does not carry its scene");
     command.add_flag("--quiet", a->quiet, "No progress bar, no summary");
     add_allow_option(command, a->allowed);
     command.check_all(some_text());
     return {command, [a] {
                 find_scene_by_name(a->scene, a->allowed);
+                hold_options_of_picture(*a);
                 return render_command(*a);
             }};
 }

@@ -1,4 +1,6 @@
 // `pxm study KIND SCENE... -o DIR`: an experiment with a report (docs/studies.md).
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -9,8 +11,10 @@
 #include "host/process/granted_threads.hpp"
 #include "host/process/interrupt.hpp"
 #include "host/render/render_options.hpp"
+#include "host/scene/carried/carried_scene.hpp"
 #include "host/study/study.hpp"
 #include "host/text/nearest.hpp"
+#include "host/text/printable.hpp"
 
 namespace pxm::host {
 
@@ -48,6 +52,15 @@ ExitCode study(const StudyArguments& a) {
     return run_study(request) ? ExitCode::done : exit_code_of_signal(received_signal());
 }
 
+/// A picture has options of its own, which a study would not mind.
+void require_text(const std::string& scene) {
+    if (!carried_scene_at(scene)) return;
+    throw Error(ErrorKind::setting,
+                fmt::format("{0} is a picture: pxm inspect {0} --scene -o FILE.pxm takes its scene "
+                            "out, for a study",
+                            printable_path(scene)));
+}
+
 }  // namespace
 
 AddedCommand add_study_command(CommandLine& line) {
@@ -78,8 +91,10 @@ AddedCommand add_study_command(CommandLine& line) {
     command.add_flag("--quiet", a->request.quiet, "No progress");
     add_allow_option(command, a->request.allowed);
     return {command, [a] {
-                for (std::string& scene : a->request.scenes)
+                for (std::string& scene : a->request.scenes) {
                     find_scene_by_name(scene, a->request.allowed);
+                    require_text(scene);
+                }
                 return study(*a);
             }};
 }

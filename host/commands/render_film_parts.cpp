@@ -62,7 +62,7 @@ class Film {
         const RenderResult& known = started.render->result;
         tell_once(frame, known.warnings);
         started.heading = heading_of(*started.render, render, request_.parts.channels,
-                                     request_.parts.metadata(known));
+                                     request_.parts.metadata(known, render.frame));
         started.heading.film = place_;
         started.heading.film->frame = frame;
         make_part_folder(started.folder);
@@ -100,7 +100,7 @@ class Film {
         render.frame = static_cast<double>(frame);
         const RenderResult result = host::render(render, control);
         if (result.stopped) return false;
-        heading.metadata = request_.parts.metadata(result);
+        heading.metadata = request_.parts.metadata(result, render.frame);
         for (const Alarm& alarm : result.statistics.alarms) {  // the most of all moments
             if (alarm.name == "steep_maps") heading.alarms.steep_maps = alarm.count;
             if (alarm.name == "flat_maps") heading.alarms.flat_maps = alarm.count;

@@ -40,6 +40,10 @@ void require_same_picture(const std::string& folder, const PartHeading& heading)
     if (const auto part = find_part(paths.front(), why)) PartSet(heading).add(paths.front(), *part);
 }
 
+Metadata metadata_of(const PartsRequest& request, const StartedRender& started) {
+    return request.metadata(started.result, request.render.frame);
+}
+
 }  // namespace
 
 void require_no_stats(const PartsRequest& request, const char* option) {
@@ -84,7 +88,7 @@ ExitCode render_one_part(const PartsRequest& request, const std::string& part,
     const auto started = start_parts(render);
     tell(started->result.warnings);
     PartHeading heading =
-        heading_of(*started, request.render, request.channels, request.metadata(started->result));
+        heading_of(*started, request.render, request.channels, metadata_of(request, *started));
     heading.part = choice.part;
     heading.parts = choice.parts;
     require_same_picture(folder, heading);
@@ -113,7 +117,7 @@ ExitCode render_claimed(const PartsRequest& request, const std::string& folder,
     const auto started = start_parts(request.render);
     tell(started->result.warnings);
     PartHeading heading =
-        heading_of(*started, request.render, request.channels, request.metadata(started->result));
+        heading_of(*started, request.render, request.channels, metadata_of(request, *started));
     const std::size_t units = units_of(heading.grid).size();
     heading.parts = count == 0 ? default_parts(units) : count;
     require_same_picture(folder, heading);
@@ -147,7 +151,7 @@ ExitCode render_keeping(const PartsRequest& request, const std::string& folder,
     const auto started = start_parts(request.render);
     make_part_folder(folder);
     const PartHeading heading =
-        heading_of(*started, request.render, request.channels, request.metadata(started->result));
+        heading_of(*started, request.render, request.channels, metadata_of(request, *started));
     std::string warnings = started->result.warnings;
     PartSet parts = kept_parts(folder, heading, warnings);
     tell(warnings);

@@ -21,8 +21,8 @@ namespace pxm::host {
 struct PartsRequest {
     RenderRequest render;
     std::vector<Aov> channels;
-    std::function<Metadata(const RenderResult&)> metadata;  // of the picture
-    std::string stats;                                      // empty: none were asked for
+    std::function<Metadata(const RenderResult&, double frame)> metadata;  // of the picture
+    std::string stats;  // empty: none were asked for
     bool quiet = false;
 };
 

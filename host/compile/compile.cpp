@@ -85,6 +85,15 @@ class Compiler {
         return std::move(out_);
     }
 
+    CameraBlock camera() {
+        make_fractals();
+        const CameraBlock camera = scene_.camera.value_or(CameraBlock{});
+        if (diagnostics_.has_errors() || (camera.eye && camera.look)) return camera;
+        const std::vector<ObjectBlock> blocks = objects_of(scene_);
+        const ImageBlock image = scene_.image.value_or(ImageBlock{});
+        return with_places(camera, image.size.value_or(PixelSize{}), ball_around(place(blocks)));
+    }
+
   private:
     void make_fractals() {
         for (const IfsBlock& block : scene_.ifs) {
@@ -317,6 +326,10 @@ class Compiler {
 CompiledScene compile(const Scene& scene, double zoom, Diagnostics& diagnostics,
                       NearCells near_cells) {
     return Compiler(scene, zoom, diagnostics, near_cells).run();
+}
+
+CameraBlock placed_camera(const Scene& scene, double zoom, Diagnostics& diagnostics) {
+    return Compiler(scene, zoom, diagnostics, NearCells::kept).camera();
 }
 
 }  // namespace pxm::host

@@ -17,4 +17,8 @@ enum class NearCells { replaced, kept };
 [[nodiscard]] CompiledScene compile(const Scene& scene, double zoom, Diagnostics& diagnostics,
                                     NearCells near_cells = NearCells::replaced);
 
+/// The scene's camera with its eye and the point that it looks at, also where the scene leaves them
+/// to its objects: for a scene of some of these. Errors as of compile().
+[[nodiscard]] CameraBlock placed_camera(const Scene& scene, double zoom, Diagnostics& diagnostics);
+
 }  // namespace pxm::host

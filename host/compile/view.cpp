@@ -66,6 +66,18 @@ View make_view(const CameraBlock& camera, const PixelSize& size, const Ball& bal
     return view;
 }
 
+CameraBlock with_places(CameraBlock camera, const PixelSize& size, const Ball& ball) {
+    CameraBlock plain = camera;
+    plain.zoom.reset();
+    const View view = make_view(plain, size, ball, 1);
+    const auto decimals = [](const glm::dvec3& v) {
+        return DecimalVec3{Decimal{v.x, ""}, Decimal{v.y, ""}, Decimal{v.z, ""}};
+    };
+    if (!camera.look) camera.look = decimals(ball.center);
+    if (!camera.eye) camera.eye = decimals(view.eye);
+    return camera;
+}
+
 double pixel_size(const View& view, const PixelSize& size, double distance) {
     const double per_column = 2 * view.half_width / static_cast<double>(size.columns);
     return view.orthographic ? per_column : per_column * distance;

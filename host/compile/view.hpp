@@ -28,6 +28,9 @@ struct View {
 [[nodiscard]] View make_view(const CameraBlock& camera, const PixelSize& size, const Ball& ball,
                              double outer_zoom);
 
+/// The camera with what make_view() takes for its eye and look point, before any zoom.
+[[nodiscard]] CameraBlock with_places(CameraBlock camera, const PixelSize& size, const Ball& ball);
+
 /// p at a distance from the eye, world units (Eq. 15.2).
 [[nodiscard]] double pixel_size(const View& view, const PixelSize& size, double distance);
 

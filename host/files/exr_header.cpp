@@ -33,6 +33,21 @@ class HeaderReader {
         return sizes_;
     }
 
+    ExrText text_of(std::string_view wanted, std::size_t most) {
+        at_ = 8;  // after the magic number and the version
+        for (std::string name = text(); !name.empty(); name = text()) {
+            if (++attributes_ > most_attributes) refuse();
+            const std::string type = text();
+            const std::uint32_t bytes = number(take(4), 0);
+            if (name == wanted) {
+                if (type != "string" || bytes > most) return {true, {}};
+                return {true, take(bytes)};
+            }
+            at_ += bytes;
+        }
+        return {};
+    }
+
   private:
     /// False if the part has no attributes.
     bool part() {
@@ -118,5 +133,9 @@ class HeaderReader {
 }  // namespace
 
 ExrSizes largest_exr_sizes(const RegularFile& file) { return HeaderReader(file).sizes(); }
+
+ExrText exr_text(const RegularFile& file, std::string_view name, std::size_t most) {
+    return HeaderReader(file).text_of(name, most);
+}
 
 }  // namespace pxm::host

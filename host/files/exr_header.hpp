@@ -2,7 +2,11 @@
 // aside for lines and tiles as soon as it opens one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/files/regular_file.hpp"
@@ -21,5 +25,14 @@ struct ExrSizes {
 /// The largest of each over a file's parts. Throws Error(ErrorKind::file) with "PATH: why" if the
 /// header is not one.
 [[nodiscard]] ExrSizes largest_exr_sizes(const RegularFile& file);
+
+/// An attribute of the first part.
+struct ExrText {
+    bool there = false;
+    std::optional<std::string> text;  // absent: no string, or one of more than `most` bytes
+};
+
+/// Throws as largest_exr_sizes().
+[[nodiscard]] ExrText exr_text(const RegularFile& file, std::string_view name, std::size_t most);
 
 }  // namespace pxm::host

@@ -41,7 +41,10 @@ struct PictureSpec {
     std::vector<std::string> channels;  // their names
     bool deep = false;                  // several values a pixel
     bool floats = false;                // else whole numbers
-    std::string color_space;            // "sRGB" unless the file says another
+    std::vector<std::string> half;      // of the channels of an EXR: floats of 16 bits
+    // Where the picture lies in a larger one that an EXR tells of; 0 wide: it is all.
+    std::int64_t x = 0, y = 0, whole_width = 0, whole_height = 0;
+    std::string color_space;  // "sRGB" unless the file says another
     Metadata metadata;
 };
 

@@ -1,6 +1,8 @@
 // The module that is linked to OpenEXR, for the pictures of that format which pxm writes: it brings
 // four libraries with it, where OpenImageIO would bring 260. The file is the one that OpenImageIO
 // makes of the same PictureSpec, to the last byte.
+#include <Imath/ImathBox.h>
+#include <Imath/half.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
@@ -49,11 +51,27 @@ void add_metadata(const Metadata& metadata, Imf::Header& header) {
     }
 }
 
+/// Pixels in a larger picture: what is around them is not in the file.
+Imf::Header windows_of(const PictureSpec& spec) {
+    const auto number = [](std::int64_t value) { return static_cast<int>(value); };
+    if (spec.whole_width == 0) return {number(spec.width), number(spec.height)};
+    using Imath::V2i;
+    const V2i first(number(spec.x), number(spec.y));
+    const V2i last = first + V2i(number(spec.width) - 1, number(spec.height) - 1);
+    return {
+        Imath::Box2i(V2i(0, 0), V2i(number(spec.whole_width) - 1, number(spec.whole_height) - 1)),
+        Imath::Box2i(first, last)};
+}
+
+bool is_half(const PictureSpec& spec, const std::string& channel) {
+    return std::find(spec.half.begin(), spec.half.end(), channel) != spec.half.end();
+}
+
 Imf::Header header_of(const PictureSpec& spec) {
-    Imf::Header header(static_cast<int>(spec.width), static_cast<int>(spec.height));
+    Imf::Header header = windows_of(spec);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const std::string& name : spec.channels)
-        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        header.channels().insert(name, Imf::Channel(is_half(spec, name) ? Imf::HALF : Imf::FLOAT));
     add_metadata(spec.metadata, header);
     return header;
 }
@@ -65,20 +83,28 @@ class ExrOutput : public PictureOutput {
         return true;
     }
     bool open(const std::string& /*path*/, const PictureSpec& spec) override {
-        channels_ = spec.channels;
-        width_ = static_cast<std::size_t>(spec.width);
+        spec_ = spec;
         return tried([&] { file_.emplace(*stream_, header_of(spec)); });
     }
     bool write_floats(int first, int end, const float* values) override {
         return tried([&] {
-            const std::size_t pixel = channels_.size() * sizeof(float), row = pixel * width_;
-            // The library counts rows from the picture's first, wherever these are.
-            char* origin = reinterpret_cast<char*>(const_cast<float*>(values)) -
-                           static_cast<std::ptrdiff_t>(row) * first;
+            const std::size_t channels = spec_.channels.size();
+            const auto width = static_cast<std::size_t>(spec_.width);
+            const std::size_t pixels = width * static_cast<std::size_t>(end - first);
             Imf::FrameBuffer buffer;
-            for (std::size_t i = 0; i < channels_.size(); ++i)
-                buffer.insert(channels_[i],
-                              Imf::Slice(Imf::FLOAT, origin + i * sizeof(float), pixel, row));
+            halves_.resize(spec_.half.size() * pixels);
+            std::size_t next_half = 0;
+            for (std::size_t i = 0; i < channels; ++i) {
+                const std::string& name = spec_.channels[i];
+                if (is_half(spec_, name)) {
+                    half* to = halves_.data() + next_half++ * pixels;
+                    for (std::size_t n = 0; n < pixels; ++n) to[n] = half(values[n * channels + i]);
+                    buffer.insert(name, slice(Imf::HALF, to, first, sizeof(half)));
+                } else {
+                    auto* from = const_cast<float*>(values) + i;
+                    buffer.insert(name, slice(Imf::FLOAT, from, first, channels * sizeof(float)));
+                }
+            }
             file_->setFrameBuffer(buffer);
             file_->writePixels(end - first);
         });
@@ -91,6 +117,17 @@ class ExrOutput : public PictureOutput {
     [[nodiscard]] std::string format() const override { return "openexr"; }
 
   private:
+    /// Of values whose first is that of the first pixel in that row; the library counts both from
+    /// the whole picture's first, wherever the values are.
+    [[nodiscard]] Imf::Slice slice(Imf::PixelType type, void* values, int first,
+                                   std::size_t pixel) const {
+        const std::size_t row = pixel * static_cast<std::size_t>(spec_.width);
+        char* origin = static_cast<char*>(values) -
+                       static_cast<std::ptrdiff_t>(row) * (first + spec_.y) -
+                       static_cast<std::ptrdiff_t>(pixel) * spec_.x;
+        return {type, origin, pixel, row};
+    }
+
     /// After a failure the file is not touched again: it waits for ever for rows that were lost.
     template <class Work>
     bool tried(const Work& work) {
@@ -104,8 +141,8 @@ class ExrOutput : public PictureOutput {
         return !failed_;
     }
 
-    std::vector<std::string> channels_;
-    std::size_t width_ = 0;
+    PictureSpec spec_;
+    std::vector<half> halves_;  // rows of the channels that are kept in 16 bits, one by one
     std::optional<Stream> stream_;
     std::optional<Imf::OutputFile> file_;  // is gone before what it writes to
     std::string error_;

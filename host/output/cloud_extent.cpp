@@ -41,6 +41,20 @@ double CloudExtent::size() const { return largest(high_ - low_); }
 
 double CloudExtent::farthest() const { return largest(glm::max(glm::abs(low_), glm::abs(high_))); }
 
+glm::dvec3 CloudExtent::offset() const {
+    const glm::dvec3 middle = low_ + (high_ - low_) / 2.0;
+    if (!(size() > 0)) return middle;
+    const double step = std::exp2(std::floor(std::log2(size())));
+    return glm::round(middle / step) * step;
+}
+
+CloudExtent CloudExtent::without(const glm::dvec3& offset) const {
+    CloudExtent moved = *this;
+    moved.low_ -= offset;
+    moved.high_ -= offset;
+    return moved;
+}
+
 CoordinateNumber number_for(const std::vector<CloudExtent>& objects) {
     CloudExtent all;
     for (const CloudExtent& object : objects) all.add(object);

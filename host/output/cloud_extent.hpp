@@ -18,6 +18,11 @@ class CloudExtent {
     [[nodiscard]] double size() const;
     /// The largest coordinate's magnitude.
     [[nodiscard]] double farthest() const;
+    /// Near the middle, to a power of two that is no larger than the box: what is taken off the
+    /// coordinates leaves no more of them to round.
+    [[nodiscard]] glm::dvec3 offset() const;
+    /// The same box without the offset.
+    [[nodiscard]] CloudExtent without(const glm::dvec3& offset) const;
 
   private:
     bool empty_ = true;

@@ -63,9 +63,11 @@ void require_image_format(const std::string& path, const std::vector<Aov>& aovs)
 }
 
 ImageWriter::ImageWriter(const std::string& path, const CropWindow& window,
-                         const std::vector<Aov>& aovs, const Metadata& metadata)
-    : encoder_(extension_of(path) == "png" ? make_png_encoder(path, window)
-                                           : make_library_encoder(path, window, aovs, metadata)) {}
+                         const std::vector<Aov>& aovs, const Metadata& metadata,
+                         const ExtraChannels* extra)
+    : encoder_(extension_of(path) == "png"
+                   ? make_png_encoder(path, window, metadata)
+                   : make_library_encoder(path, window, aovs, metadata, extra)) {}
 
 ImageWriter::~ImageWriter() = default;
 

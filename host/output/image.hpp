@@ -2,6 +2,7 @@
 // others through OpenImageIO.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,14 +18,28 @@ namespace pxm::host {
 /// loaded: to be called from the program's first thread, before there are others.
 void require_image_format(const std::string& path, const std::vector<Aov>& aovs);
 
+/// Channels of an EXR that come from elsewhere than its frame.
+struct ExtraChannels {
+    std::vector<std::string> names;
+    Metadata metadata;                                   // under these names
+    std::function<void(long x, long y, float* to)> put;  // the values of a pixel of the image
+};
+
+/// Metadata that says how an EXR is written: the names of channels to be kept in 16 bits, with
+/// commas between them (`color` and those of --aov), and the image that the window is a part of.
+inline constexpr char half_metadata[] = "half", whole_metadata[] = "image_size";
+inline constexpr char half_color[] = "color";  // R, G, B and A
+
 /// A picture that is written while it is rendered, whole or not at all. EXR and HDR hold linear
 /// floats; other formats hold 8 bits with the sRGB curve. An EXR has R, G, B and A, which is 1 as
 /// the colour has the background in it, and the channels asked for. All may throw
 /// Error(ErrorKind::file).
 class ImageWriter {
-  public:  /// Begins the file; `window` is what will be appended, `metadata` is written into it.
+  public:
+    /// Begins the file; `window` is what will be appended, `metadata` is written into it; `extra`
+    /// must outlive this.
     ImageWriter(const std::string& path, const CropWindow& window, const std::vector<Aov>& aovs,
-                const Metadata& metadata);
+                const Metadata& metadata, const ExtraChannels* extra = nullptr);
     ImageWriter(const ImageWriter&) = delete;
     ImageWriter& operator=(const ImageWriter&) = delete;
     ~ImageWriter();  // an unfinished picture is removed

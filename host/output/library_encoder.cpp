@@ -4,10 +4,14 @@
 // and compared.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <new>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
+#include "host/files/carried_text.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/output/encoder.hpp"
 #include "host/output/pixel_values.hpp"
@@ -60,24 +64,48 @@ std::string why_not_as_written(const std::string& path, const PixelSize& size, c
     return exact && found.value() != rows.value() ? damaged : "";
 }
 
+const std::string* find_metadata(const Metadata& metadata, const char* name) {
+    const auto found = std::ranges::find(metadata, name, &Metadata::value_type::first);
+    return found == metadata.end() ? nullptr : &found->second;
+}
+
+/// The file's channels of a list of their names.
+std::vector<std::string> half_channels(const std::string& text, const std::vector<Aov>& aovs) {
+    std::vector<std::string> channels;
+    std::istringstream names(text);
+    for (std::string name; std::getline(names, name, ',');) {
+        if (name == half_color) channels.insert(channels.end(), {"R", "G", "B", "A"});
+        for (const Aov aov : aovs) {
+            if (name != aov_name(aov)) continue;
+            for (const AovChannel& channel : channels_of(aov)) channels.push_back(channel.name);
+        }
+    }
+    return channels;
+}
+
 class LibraryEncoder : public ImageWriter::Encoder {
   public:
     LibraryEncoder(const std::string& path, const CropWindow& window, const std::vector<Aov>& aovs,
-                   const Metadata& metadata);
+                   const Metadata& metadata, const ExtraChannels* extra);
 
     void append(const Frame& part) override;
     void finish() override;
 
   private:
     [[nodiscard]] PictureSpec spec(const Metadata& metadata) const;
+    [[nodiscard]] std::vector<std::string> names() const;
+    void set_exr(const Metadata& metadata, PictureSpec& spec) const;
+    void put(const Frame& part, std::span<const PixelRecord> pixels, unsigned char* to) const;
     void write(const RowBand& band);
     void require(bool done);
 
     std::string path_;
+    CropWindow window_;
     PixelSize size_;
     bool is_exr_;
     bool floats_;
     FloatChannels channels_;
+    const ExtraChannels* extra_;  // of an EXR, or null
     PartFile part_;
     std::unique_ptr<PictureOutput> output_;  // is gone before what it writes to
     std::optional<Digest> digest_;           // of a writer that opens the file itself
@@ -86,14 +114,17 @@ class LibraryEncoder : public ImageWriter::Encoder {
 };
 
 LibraryEncoder::LibraryEncoder(const std::string& path, const CropWindow& window,
-                               const std::vector<Aov>& aovs, const Metadata& metadata)
+                               const std::vector<Aov>& aovs, const Metadata& metadata,
+                               const ExtraChannels* extra)
     : path_(path),
+      window_(window),
       size_{window.x1 - window.x0, window.y1 - window.y0},
       is_exr_(extension_of(path) == "exr"),
       floats_(holds_floats(extension_of(path))),
       channels_{is_exr_, aovs},
+      extra_(is_exr_ ? extra : nullptr),
       part_(path, Places::any),
-      bands_(window, floats_ ? channels_.names().size() * sizeof(float) : 3) {
+      bands_(window, floats_ ? names().size() * sizeof(float) : 3) {
     std::string error;
     PictureLibrary& library = is_exr_ ? exr_library() : picture_library();
     output_ = library.create(part_.beside(), error);
@@ -107,16 +138,38 @@ PictureSpec LibraryEncoder::spec(const Metadata& metadata) const {
     PictureSpec spec;
     spec.width = size_.columns;
     spec.height = size_.rows;
-    spec.channels = channels_.names();
+    spec.channels = names();
     spec.floats = floats_;
     spec.color_space = floats_ ? "Linear" : "sRGB";
     spec.metadata = {{"DateTime", time_text()}, {"Software", software}};
     if (is_exr_) {
+        set_exr(metadata, spec);
         spec.metadata.emplace_back("compression", "zip");
         // No colon in the names: to some readers what stands before it is a channel's.
-        for (const auto& [name, value] : metadata) spec.metadata.emplace_back("pxm_" + name, value);
+        for (const auto& [name, value] : metadata)
+            spec.metadata.emplace_back("pxm_" + name,
+                                       name == carried_metadata ? exr_carried(value) : value);
     }
     return spec;
+}
+
+std::vector<std::string> LibraryEncoder::names() const {
+    std::vector<std::string> names = channels_.names();
+    if (extra_ != nullptr) names.insert(names.end(), extra_->names.begin(), extra_->names.end());
+    return names;
+}
+
+void LibraryEncoder::set_exr(const Metadata& metadata, PictureSpec& spec) const {
+    if (const std::string* half = find_metadata(metadata, half_metadata))
+        spec.half = half_channels(*half, channels_.aovs);
+    if (const std::string* whole = find_metadata(metadata, whole_metadata)) {
+        spec.x = window_.x0;
+        spec.y = window_.y0;
+        spec.whole_width = std::atol(whole->c_str());
+        spec.whole_height = std::atol(whole->c_str() + whole->find('x') + 1);
+    }
+    if (extra_ == nullptr) return;
+    for (const auto& entry : extra_->metadata) spec.metadata.push_back(entry);
 }
 
 /// The system's reason first: the library knows none, or nothing of it.
@@ -129,17 +182,28 @@ void LibraryEncoder::require(bool done) {
 }
 
 void LibraryEncoder::append(const Frame& part) {
-    const auto put = [&](std::span<const PixelRecord> pixels, unsigned char* to) {
-        if (floats_) {
-            put_floats(pixels, channels_, reinterpret_cast<float*>(to));
-        } else {
-            put_srgb_bytes(pixels, to);
-        }
+    const auto put_row = [&](std::span<const PixelRecord> pixels, unsigned char* to) {
+        put(part, pixels, to);
     };
-    bands_.add(part, put, [&](RowBand band) {
+    bands_.add(part, put_row, [&](RowBand band) {
         const long index = band.index;
         rows_.add(index, std::move(band), [&](const RowBand& next) { write(next); });
     });
+}
+
+void LibraryEncoder::put(const Frame& part, std::span<const PixelRecord> pixels,
+                         unsigned char* to) const {
+    if (!floats_) return put_srgb_bytes(pixels, to);
+    auto* values = reinterpret_cast<float*>(to);
+    if (extra_ == nullptr) return put_floats(pixels, channels_, values);
+    const std::size_t own = channels_.names().size(), all = own + extra_->names.size();
+    for (const PixelRecord& pixel : pixels) {
+        const long at = &pixel - part.pixels.data();
+        put_floats(std::span(&pixel, 1), channels_, values);
+        extra_->put(part.crop.x0 + at % part.columns(), part.crop.y0 + at / part.columns(),
+                    values + own);
+        values += all;
+    }
 }
 
 void LibraryEncoder::write(const RowBand& band) {
@@ -168,8 +232,9 @@ void LibraryEncoder::finish() {
 std::unique_ptr<ImageWriter::Encoder> make_library_encoder(const std::string& path,
                                                            const CropWindow& window,
                                                            const std::vector<Aov>& aovs,
-                                                           const Metadata& metadata) {
-    return std::make_unique<LibraryEncoder>(path, window, aovs, metadata);
+                                                           const Metadata& metadata,
+                                                           const ExtraChannels* extra) {
+    return std::make_unique<LibraryEncoder>(path, window, aovs, metadata, extra);
 }
 
 }  // namespace pxm::host

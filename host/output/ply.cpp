@@ -21,12 +21,15 @@ void append(std::string& bytes, const std::array<Value, count>& values) {
 
 }  // namespace
 
-std::string ply_header(std::uint64_t count, const std::string& comment, CoordinateNumber number) {
+std::string ply_header(std::uint64_t count, const std::string& comment, CoordinateNumber number,
+                       const glm::dvec3& offset) {
+    const bool moved = offset.x != 0 || offset.y != 0 || offset.z != 0;
     return fmt::format(
-        "ply\nformat binary_little_endian 1.0\ncomment {}\nelement vertex {}\n"
+        "ply\nformat binary_little_endian 1.0\ncomment {}\n{}element vertex {}\n"
         "property {number} x\nproperty {number} y\nproperty {number} z\n"
         "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
-        printable_path(comment), count,
+        printable_path(comment),
+        moved ? fmt::format("comment offset {} {} {}\n", offset.x, offset.y, offset.z) : "", count,
         fmt::arg("number", number == CoordinateNumber::single ? "float" : "double"));
 }
 

@@ -123,6 +123,10 @@ void PngFile::chunk(const char (&type)[5], std::span<const unsigned char> data) 
     file_.append(end.data(), end.size());
 }
 
+void PngFile::text(std::string_view content) {
+    chunk("iTXt", {reinterpret_cast<const unsigned char*>(content.data()), content.size()});
+}
+
 void PngFile::append(const PngSegment& segment) {
     // A stream of zlib begins with two bytes: a window of 32 kB, the fastest of its levels.
     if (!begun_) chunk("IDAT", Bytes{0x78, 0x01});

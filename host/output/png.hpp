@@ -9,6 +9,7 @@
 #include <ctime>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/files/checked_file.hpp"
@@ -32,6 +33,8 @@ class PngFile {
     /// Writes the head; `file` must outlive this. Throws Error(ErrorKind::file), as all here.
     PngFile(CheckedFile& file, std::uint32_t columns, std::uint32_t rows,
             const std::string& software, const std::tm& time);
+    /// A chunk iTXt, before the first segment.
+    void text(std::string_view content);
     void append(const PngSegment& segment);
     /// After the last segment.
     void finish();

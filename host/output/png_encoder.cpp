@@ -1,4 +1,5 @@
 // A PNG while it is rendered: whoever puts the last pixel into a band of rows deflates it.
+#include "host/files/carried_text.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/output/encoder.hpp"
 #include "host/output/pixel_values.hpp"
@@ -12,11 +13,14 @@ namespace {
 
 class PngEncoder : public ImageWriter::Encoder {
   public:
-    PngEncoder(const std::string& path, const CropWindow& window)
+    PngEncoder(const std::string& path, const CropWindow& window, const Metadata& metadata)
         : part_(path, Places::in_order),
           bands_(window, 3),
           png_(part_.file(), static_cast<std::uint32_t>(window.x1 - window.x0),
-               static_cast<std::uint32_t>(window.y1 - window.y0), software, file_time()) {}
+               static_cast<std::uint32_t>(window.y1 - window.y0), software, file_time()) {
+        for (const auto& [name, value] : metadata)
+            if (name == carried_metadata) png_.text(png_carried(value));
+    }
 
     void append(const Frame& part) override {
         bands_.add(part, &put_srgb_bytes, [&](const RowBand& band) {
@@ -40,8 +44,9 @@ class PngEncoder : public ImageWriter::Encoder {
 }  // namespace
 
 std::unique_ptr<ImageWriter::Encoder> make_png_encoder(const std::string& path,
-                                                       const CropWindow& window) {
-    return std::make_unique<PngEncoder>(path, window);
+                                                       const CropWindow& window,
+                                                       const Metadata& metadata) {
+    return std::make_unique<PngEncoder>(path, window, metadata);
 }
 
 }  // namespace pxm::host

@@ -10,6 +10,7 @@
 
 #include "host/error.hpp"
 #include "host/files/allowed_folders.hpp"
+#include "host/scene/carried/carried_scene.hpp"
 #include "host/scene/check/limits.hpp"
 #include "host/scene/check/range_check.hpp"
 #include "host/scene/parse/block_parser.hpp"
@@ -235,6 +236,12 @@ Scene parse_scene(const std::string& path, Diagnostics& diagnostics,
                   const std::vector<std::string>& allowed, const LetNumber& let_number,
                   const std::optional<std::string>& text, double frame) {
     AllowedFolders folders(path, allowed);
+    if (const auto carried = text ? std::nullopt : carried_scene_at(path)) {
+        Scene scene = parse_carried(*carried, path, diagnostics, let_number, frame);
+        refuse_pictures_outside(scene, folders, diagnostics);
+        if (!diagnostics.has_errors()) refuse_other_pictures(*carried, path, scene, diagnostics);
+        return scene;
+    }
     const IncludeFinder find = [&](const std::string& beside, const std::string& written) {
         std::error_code failed;
         const auto found = fs::exists(beside, failed) ? std::nullopt : find_included(written);

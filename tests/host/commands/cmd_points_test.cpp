@@ -90,7 +90,53 @@ TEST_F(Points, are_kept_by_a_run_that_goes_on) {
     other.insert(other.end(), {"--keep", "kept"});
     expect_refusal_naming(
         folder, other, 4,
-        {"kept/kept-", "is of other points: another scene, count, seed or version"});
+        {"kept/kept-",
+         "is of other points: another scene, count, seed, version, precision or offset"});
+}
+
+TEST_F(Points, far_scenes_keep_their_shape_by_doubles_or_an_offset) {
+    folder.write("far.pxm",
+                 "ifs t { newmap scale: .5 newmap scale: .5 translate: 1,0,0 newmap scale: .5 "
+                 "translate: 0,1,0 }\nobject o { ifs: t translate: 1e6,-2e6,3e6 }\n");
+    const auto points = [&](const std::string& out, const Arguments& more) {
+        Arguments command{"points", "far.pxm", "-n", "1000", "-o", out, "--quiet"};
+        command.insert(command.end(), more.begin(), more.end());
+        expect_done(folder, command);
+        return folder.read(out);
+    };
+    const std::string near = points("near.ply", {"--offset", "auto"});
+    const std::string exact = points("exact.ply", {});
+    EXPECT_NE(exact.find("property double x"), std::string::npos);
+    EXPECT_NE(points("f.ply", {"--precision", "float"}).find("property float x"),
+              std::string::npos);
+    EXPECT_EQ(points("d.ply", {"--precision", "double"}), exact);
+    std::array<double, 3> offset{};
+    const std::size_t comment = near.find("\ncomment offset ");
+    ASSERT_NE(comment, std::string::npos);
+    ASSERT_EQ(std::sscanf(near.c_str() + comment, "\ncomment offset %lf %lf %lf\n", &offset[0],
+                          &offset[1], &offset[2]),
+              3);
+    EXPECT_NEAR(offset[0], 1e6, 2);
+    EXPECT_NEAR(offset[1], -2e6, 2);
+    EXPECT_NE(near.find("property float x"), std::string::npos);
+    const std::string floats = body_of(near), doubles = body_of(exact);
+    ASSERT_EQ(floats.size(), 1000U * 15);
+    ASSERT_EQ(doubles.size(), 1000U * 27);
+    for (std::size_t i = 0; i < 1000; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            float x = 0;
+            double far = 0;
+            std::memcpy(&x, &floats[15 * i + 4 * axis], sizeof x);
+            std::memcpy(&far, &doubles[27 * i + 8 * axis], sizeof far);
+            EXPECT_NEAR(x + offset[axis], far, 1e-7);
+        }
+    }
+    expect_refusal(folder, {"points", "far.pxm", "-n", "9", "-o", "x.ply", "--offset", "1,2"}, 2,
+                   "--offset: found \"1,2\", expected x,y,z or auto");
+    expect_refusal(folder, {"points", "far.pxm", "-n", "9", "-o", "x.ply", "--precision", "dubble"},
+                   2,
+                   "--precision: found \"dubble\", expected auto, float or double (did you mean "
+                   "'double'?)");
 }
 
 TEST_F(Points, every_object_has_its_share) {
