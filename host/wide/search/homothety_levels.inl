@@ -53,21 +53,30 @@ struct HomothetyRows {
     static constexpr int far = 5;
 };
 
-/// How rays that move sideways by (a, b) per depth pass balls of radius r whose centres are (x, y)
-/// beside them at the centre's depth. `shrink2` is 1 / (1 + a^2 + b^2).
+/// Rays that move sideways by (a, b) per depth.
+template <class V>
+struct Slant {
+    V a, b;
+    V shrink2;  // 1 / (1 + a^2 + b^2)
+};
+
+/// How slanting rays pass balls of radius r whose centres are (x, y) beside them at the centre's
+/// depth.
 template <class V>
 struct BallPass {
     V ahead;  // depth of the foot of the perpendicular from the centre: rays are oblique
     V half2;  // the square of half the chord, negative on a miss
 
-    HWY_INLINE BallPass(V x, V y, V r, V a, V b, V shrink2) {
-        const V slope = hn::Add(hn::Mul(a, x), hn::Mul(b, y));
-        ahead = hn::Mul(slope, shrink2);
+    HWY_INLINE BallPass(V x, V y, V r, const Slant<V>& rays) {
+        const V slope = hn::Add(hn::Mul(rays.a, x), hn::Mul(rays.b, y));
+        ahead = hn::Mul(slope, rays.shrink2);
         const V away2 = hn::Add(hn::Mul(x, x), hn::Mul(y, y));
         half2 = hn::Add(hn::Sub(hn::Mul(r, r), away2), hn::Mul(slope, ahead));
     }
     /// Half the depth between entry and exit; NaN on a miss.
-    [[nodiscard]] HWY_INLINE V half(V shrink2) const { return hn::Sqrt(hn::Mul(half2, shrink2)); }
+    [[nodiscard]] HWY_INLINE V half(const Slant<V>& rays) const {
+        return hn::Sqrt(hn::Mul(half2, rays.shrink2));
+    }
 };
 
 /// Detail times the size of a pixel in scene units, at most: max(pixel0 + pixel1 z, least).

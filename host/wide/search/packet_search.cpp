@@ -47,7 +47,7 @@ inline void visit_homotheties(const WideScene& scene, SearchWorkspace& work, int
     const HomothetyCell cell = work.homothety_cells[static_cast<std::size_t>(index)];
     if (scene.objects[static_cast<std::size_t>(cell.object)].spheres) {
         spread_in_candidate_view(scene, work);
-        BallVisit(scene, work, cell).visit(index);
+        BallVisit(scene, work, cell, index).visit();
     } else {
         visit_box(scene, work, cell, index);
     }

@@ -35,10 +35,11 @@ inline ChildPlaces child_places(const WideScene& scene, Workspace& work, int obj
     return {set, &table, centers.row(0), centers.row(1), centers.row(2)};
 }
 
-/// The levels of a ray's own: where they are from the entry cell, and how large.
+/// The levels of a ray's own in the next lane: where they are from the entry cell, and how large.
 inline bool take_own_homotheties(const WideScene& scene, Workspace& work, const Path& path,
-                                 const Found& found, int lane, HitLanes& t) {
+                                 const Found& found, HitLanes& t) {
     if (path.shared + found.below_count > Path::capacity) return false;
+    const int lane = t.count;
     const HomothetyCell& start = work.homothety_cells[static_cast<std::size_t>(found.start)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(start.object)];
     HitWord& word = t.words[static_cast<std::size_t>(lane)];
@@ -111,8 +112,9 @@ struct BallLevels {
         const V one = hn::Set(d, hn::TFromD<D>(1));
         const V x = hn::Mul(hn::Sub(cell.x, hn::Add(u0, hn::Mul(u1, cell.z))), cell.inverse);
         const V y = hn::Mul(hn::Sub(cell.y, hn::Add(v0, hn::Mul(v1, cell.z))), cell.inverse);
-        const BallPass<V> pass(x, y, one, u1, v1, ray.shrink2);
-        const V half = pass.half(ray.shrink2);
+        const Slant<V> slant{u1, v1, ray.shrink2};
+        const BallPass<V> pass(x, y, one, slant);
+        const V half = pass.half(slant);
         const V key = hn::Sub(pass.ahead, half), exit = hn::Add(pass.ahead, half);
         const V at = side == PathSide::entry ? key : exit;
         return {hn::Add(cell.from_start, hn::Mul(key, cell.radius)),
