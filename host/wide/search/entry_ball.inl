@@ -32,10 +32,6 @@ struct BallRays {
     alignas(64) float key[packet_rays];  // in the packet's frame
 };
 
-/// In shared views, where lists leave out what a ray cannot meet and the frame is not the
-/// packet's.
-inline constexpr SilhouetteCull no_shadow{};
-
 /// The rays of the packet in the frame of their view.
 inline void spread_in_candidate_view(const WideScene& scene, SearchWorkspace& work) {
     const hn::ScalableTag<float> d;
@@ -76,9 +72,8 @@ inline const HomothetyTable* deciding_table(const WideScene& scene, const Search
     const WideSet& set = scene.sets[static_cast<std::size_t>(cell.set)];
     if (set.composed.empty() || !work.candidate_view_rays.candidate_view->view.shared)
         return nullptr;
-    const ShadowRoom room(scene, work.packet, start.object);
     const double far = cell.center[2] + 1.5 * cell.size, near = cell.center[2] - 1.5 * cell.size;
-    const double most = std::max(room.least, room.pixel0 + room.pixel1 * far);
+    const double most = most_pixel_at(scene, work.packet, start.object, far);
     const double least = pixel_at(scene, work.packet, cell.object, std::max(near, 0.0));
     for (const HomothetyTable& table : set.composed) {
         if (cell.constant * table.most_diameter > least) continue;
@@ -142,7 +137,6 @@ class BallVisit {
           work_(work),
           seen_(work.candidate_view_rays),
           start_(scene, index, cell, cell.center[2], cell.size),
-          shadow_(work.silhouette_culls[static_cast<std::size_t>(cell.object)]),
           diameter_(static_cast<float>(cell.diameter)) {}
 
     void visit() {
@@ -166,15 +160,11 @@ class BallVisit {
     [[nodiscard]] std::uint64_t meet() {
         const RayPacket& packet = work_.packet;
         const HomothetyCell& cell = start_.cell;
-        const ShadowRoom room(scene_, packet, start_.object);
         const hn::ScalableTag<float> d;
         using V = hn::VFromD<decltype(d)>;
         const auto over = [&](double x) { return hn::Set(d, static_cast<float>(x / cell.size)); };
         const V center_x = over(cell.center[0]), center_y = over(cell.center[1]);
         const V far = over(cell.center[2]), near = over(1);
-        const double most =
-            std::max(room.pixel0 + room.pixel1 * (cell.center[2] + cell.size), room.least);
-        const V margin = over(most + cell.size * (packet.reach_u1 + packet.reach_v1));
         std::uint64_t met = 0;
         for (int i = 0; i < packet_rays; i += static_cast<int>(hn::Lanes(d))) {
             const V a = hn::LoadU(d, packet.u1 + i), b = hn::LoadU(d, packet.v1 + i);
@@ -198,8 +188,7 @@ class BallVisit {
                        rays_.y + i);
             hn::StoreU(behind, d, rays_.behind + i);
             hn::StoreU(key, d, rays_.key + i);
-            auto here = hn::Le(start, hn::Add(pass.ahead, half));  // not NaN
-            here = in_silhouette(d, shadow_, x, y, hn::Set(d, 1.0F), margin, here);
+            const auto here = hn::Le(start, hn::Add(pass.ahead, half));  // not NaN
             met |= lane_bits(d, here) << i;
         }
         return met & packet.inside;
@@ -210,16 +199,8 @@ class BallVisit {
         ray.start = ray.start * pace - behind;
         ray.pixel_growth /= pace;
         ray.pixel_base += ray.pixel_growth * behind;
-        const auto per_length = static_cast<float>(1 / start_.length);
-        return {ray,
-                seen_.a[i],
-                seen_.b[i],
-                seen_.shrink2[i],
-                per_length,
-                seen_.candidate_view->view.shared ? &no_shadow : &shadow_,
-                &scene_,
-                seen_.candidate_view,
-                start_.cell.object};
+        return {ray,     seen_.a[i],           seen_.b[i],        seen_.shrink2[i],
+                &scene_, seen_.candidate_view, start_.cell.object};
     }
     [[nodiscard]] HWY_INLINE float from_candidate_view(float depth, int i) const {
         return (depth + rays_.behind[i]) / seen_.pace[i];
@@ -257,7 +238,6 @@ class BallVisit {
     SearchWorkspace& work_;
     const CandidateViewRays& seen_;
     const EntryBelow start_;
-    const SilhouetteCull& shadow_;
     float diameter_;
     BallRays rays_;
 };

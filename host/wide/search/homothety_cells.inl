@@ -15,7 +15,6 @@
 #include <limits>
 
 #include "host/wide/search/homothety_levels.inl"
-#include "host/wide/search/silhouette_cull.inl"
 #include "host/wide/search/single_ray.inl"
 #include "host/wide/tables/candidate_views.hpp"
 
@@ -75,9 +74,7 @@ HWY_INLINE void keep_places(D d, int i, const Lanes3<V>& center, V size, OpenedC
 struct BallRay : HomothetyRay {
     float a;  // the ray moves sideways by (a, b) per depth
     float b;
-    float shrink2;     // 1 / (1 + a^2 + b^2)
-    float per_length;  // 1 / length, from scene units
-    const SilhouetteCull* shadow;
+    float shrink2;  // 1 / (1 + a^2 + b^2)
     const WideScene* scene;
     CandidateView* candidate_view;
     int object;
@@ -94,8 +91,6 @@ struct BallRay : HomothetyRay {
         using V = hn::VFromD<decltype(d)>;
         const Slant<V> slant{hn::Set(d, a), hn::Set(d, b), hn::Set(d, shrink2)};
         const V size = hn::Set(d, at.size);
-        const float beside = at.size * (std::abs(a) + std::abs(b));
-        const V margin = hn::Set(d, pixel(deepest(at)) * per_length + beside);
         for (int i = 0; i < cells.count; i += static_cast<int>(hn::Lanes(d))) {
             const V qz = hn::LoadU(d, cells.z + i);
             const V beside_x = hn::Sub(hn::LoadU(d, cells.x + i), hn::Mul(slant.a, qz));
@@ -108,8 +103,7 @@ struct BallRay : HomothetyRay {
             const V half = pass.half(slant);
             const V middle = hn::Add(z, pass.ahead);
             const LaneInterval<V> inside{hn::Sub(middle, half), hn::Add(middle, half)};
-            const auto met =
-                in_silhouette(d, *shadow, x, y, r, margin, hn::Le(inside.key, inside.exit));
+            const auto met = hn::Le(inside.key, inside.exit);
             keep_places(d, i, Lanes3<V>{x, y, z}, r, opened);
             note(d, cells, i, MetLanes<V, hn::Mask<decltype(d)>>{inside, met}, opened);
         }

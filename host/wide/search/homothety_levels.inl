@@ -9,11 +9,11 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "host/wide/search/packet_levels.inl"
-#include "host/wide/search/silhouette_cull.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
@@ -79,21 +79,16 @@ struct BallPass {
     }
 };
 
-/// Detail times the size of a pixel in scene units, at most: max(pixel0 + pixel1 z, least).
-struct ShadowRoom {
-    double pixel0, pixel1, least;
-
-    ShadowRoom(const WideScene& scene, const RayPacket& packet, const WideObject& object)
-        : pixel0(scene.detail * packet.most_at_origin),
-          pixel1(scene.detail * packet.most_growth),
-          least(scene.detail * object.smallest_pixel) {}
-};
+/// detail * p(z) at most, of all rays of the packet.
+inline double most_pixel_at(const WideScene& scene, const RayPacket& packet,
+                            const WideObject& object, double z) {
+    return std::max(scene.detail * object.smallest_pixel,
+                    scene.detail * packet.most_at_origin + scene.detail * packet.most_growth * z);
+}
 
 /// A ball misses the beam if its centre is farther beside the beam's square than its radius.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneInterval<V> ball_in_frustum(D d, const RayPacket& packet,
-                                           const SilhouetteCull& shadow, const ShadowRoom& room,
-                                           const Lanes3<V>& c, V r) {
+HWY_INLINE LaneInterval<V> ball_in_frustum(D d, const RayPacket& packet, const Lanes3<V>& c, V r) {
     const V zero = hn::Zero(d);
     r = hn::Mul(r, hn::Set(d, 1 + unit_margin));
     const V far = hn::Add(c.z, r);
@@ -104,14 +99,7 @@ HWY_INLINE LaneInterval<V> ball_in_frustum(D d, const RayPacket& packet,
     const V x = hn::Max(hn::Sub(hn::Abs(c.x), reach_u), zero);
     const V y = hn::Max(hn::Sub(hn::Abs(c.y), reach_v), zero);
     const V half2 = hn::Sub(hn::Mul(r, r), hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
-    auto met = hn::And(hn::Le(zero, half2), hn::Le(zero, far));
-    if (shadow.edges > 0) {
-        const V p = hn::Max(hn::Add(hn::Set(d, room.pixel0), hn::Mul(hn::Set(d, room.pixel1), far)),
-                            hn::Set(d, room.least));
-        const V beside = hn::Mul(r, hn::Set(d, packet.reach_u1 + packet.reach_v1));
-        met = in_silhouette(d, shadow, c.x, c.y, r,
-                            hn::Add(hn::Add(p, beside), hn::Add(reach_u, reach_v)), met);
-    }
+    const auto met = hn::And(hn::Le(zero, half2), hn::Le(zero, far));
     const V half = hn::Sqrt(hn::Max(half2, zero));
     return {hn::Max(hn::Sub(c.z, half), zero),
             hn::IfThenElse(met, hn::Add(c.z, half), hn::Set(d, -beyond))};
@@ -159,8 +147,6 @@ inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, i
     const LaneTable<double>& centers =
         object.spheres ? turn_children(scene, work, parent.object, parent.set) : table.f64;
     const BoxFrustum& beam = work.box_frusta[static_cast<std::size_t>(parent.object)];
-    const SilhouetteCull& shadow = work.silhouette_culls[static_cast<std::size_t>(parent.object)];
-    const ShadowRoom room(scene, work.packet, object);
     double* rows = work.scratch.get();
     const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * table.stride; };
     work.shared_tests += static_cast<std::uint64_t>(table.count);
@@ -169,9 +155,8 @@ inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, i
         const Lanes3<V> c = add_scaled(broadcast(d, parent.center.data()), size,
                                        load3(d, centers.row(0) + i, table.stride));
         const V half = hn::Mul(size, hn::LoadU(d, table.f64.row(HomothetyTable::scale) + i));
-        const LaneInterval<V> inside = object.spheres
-                                           ? ball_in_frustum(d, work.packet, shadow, room, c, half)
-                                           : box_in_frustum(d, beam, c, half);
+        const LaneInterval<V> inside = object.spheres ? ball_in_frustum(d, work.packet, c, half)
+                                                      : box_in_frustum(d, beam, c, half);
         store3(c, d, row(HomothetyRows::center) + i, table.stride);
         hn::StoreU(half, d, row(HomothetyRows::size) + i);
         hn::StoreU(hn::Max(inside.key, hn::Set(d, parent.near)), d, row(HomothetyRows::near) + i);
@@ -241,18 +226,14 @@ inline void push_homothety_object(const WideScene& scene, SearchWorkspace& work,
     }
     const Lanes3<V> c = broadcast(d, cell.center.data());
     const V size = hn::Set(d, cell.size);
-    const ShadowRoom room(scene, packet, object);
     const LaneInterval<V> inside =
         object.spheres
-            ? ball_in_frustum(d, packet, SilhouetteCull{}, room, c, size)
+            ? ball_in_frustum(d, packet, c, size)
             : box_in_frustum(d, work.box_frusta[static_cast<std::size_t>(index)], c, size);
     ++work.shared_tests;
     cell.near = hn::GetLane(inside.key);
     cell.far = hn::GetLane(inside.exit);
     if (!(cell.near <= cell.far)) return;
-    if (object.spheres)
-        work.silhouette_culls[static_cast<std::size_t>(index)] =
-            make_silhouette_cull(object, packet);
     push_homothety_cell(work, cell);
 }
 

@@ -136,7 +136,6 @@ bool search_packet(const WideScene& scene, SearchWorkspace& work) {
     ++work.packet_number;
     work.homothety_cells.clear();
     work.box_frusta.resize(scene.objects.size());
-    work.silhouette_culls.resize(scene.objects.size());
     work.turned.resize(scene.sets.size());
     work.turned_for.resize(scene.sets.size(), 0);
     work.shared_tests = 0;
