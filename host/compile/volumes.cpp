@@ -18,7 +18,7 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double dear = 300;        // tests a ray: a reason to try more than spheres and boxes
+constexpr double costly = 300;      // tests a ray: a reason to try more than spheres and boxes
 constexpr double sheet = 1.0 / 20;  // of a map's widest: how much thinner is a sheet
 constexpr std::size_t most_fitted = 300;  // follow sets: fitting hulls to more takes too long
 constexpr double clearly_cheaper = 0.5;   // oriented boxes and hulls: else spheres and boxes stay
@@ -68,7 +68,7 @@ class Choice {
         // missed.
         if (is_flat(bounds_[start_].box)) return best;
         double least = cost(best);
-        if (least < dear && has_sheets()) return best;
+        if (least < costly && has_sheets()) return best;
         const auto try_kind = [&](kernels::Volume kind) {
             Volumes volumes = of_kind(kind);
             const double needed = cost(volumes);
@@ -77,7 +77,7 @@ class Choice {
             best = std::move(volumes);
         };
         try_kind(kernels::Volume::box);
-        if (least < dear) return best;
+        if (least < costly) return best;
         if (bounds_.size() > most_fitted) return best;
         least *= clearly_cheaper;
         try_kind(kernels::Volume::oriented);
