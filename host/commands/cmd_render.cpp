@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
 
 #include "host/commands/cmd.hpp"
 #include "host/commands/exr_options.hpp"
@@ -36,22 +39,70 @@ namespace pxm::host {
 
 namespace {
 
-SceneOverrides overrides_of(const RenderArguments& a) {
+/// The options that say over the scene how it is rendered: their names, what they do, where they
+/// are written and where they go, and how their text is read or what their number may be.
+template <class Arguments, class See>
+void each_scene_option(Arguments& a, const See& see) {
+    using To = SceneOverrides;
+    see("--size", "WxH in pixels", a.size, &To::size, parse_size);
+    see("--crop", "x0,y0,x1,y1: only this window, half open", a.crop, &To::crop, parse_crop);
+    see("--levels", "Stop after so many maps", a.levels, &To::levels, check_of_levels());
+    see("--zoom", "Move the eye to look + (eye - look) / F", a.zoom, &To::zoom, positive_number());
+    see("--numeric", "dsp32, float or double", a.numeric, &To::numeric, parse_numeric);
+    see("--samples", "Samples a pixel", a.samples, &To::samples, check_of_samples());
+    see("--covers", "on, off, area, or tmin,tmax in pixels", a.covers, &To::covers, parse_covers);
+    see("--shading", "constant, low-pass, high-pass or facet", a.shading, &To::shading,
+        parse_shading);
+    see("--intersect", "auto, heap, fast or wide", a.intersect, &To::intersect, parse_intersect);
+    see("--lipschitz", "auto, product, determinant or polar", a.lipschitz, &To::lipschitz,
+        parse_lipschitz);
+    see("--volume", "auto, sphere, box, oriented or hull", a.volume, &To::volume, parse_volume);
+    see("--detail", "Cells are terminal at so many pixels", a.detail, &To::detail,
+        positive_number());
+    see("--heap", "Entries of the heap", a.heap, &To::heap, check_of_heap());
+}
+
+template <class Written>
+constexpr bool is_text = std::is_same_v<Written, std::string>;
+
+void add_scene_options(CommandOptions& command, RenderArguments& arguments) {
+    each_scene_option(arguments, [&]<class Written>(const char* name, const char* what,
+                                                    Written& written, auto, const auto& check) {
+        Option option = command.add_option(name, written, what);
+        if constexpr (!is_text<Written>) option.transform(check);
+    });
+}
+
+SceneOverrides overrides_of(const RenderArguments& arguments) {
     SceneOverrides overrides;
-    if (!a.size.empty()) overrides.size = parse_size(a.size);
-    if (!a.crop.empty()) overrides.crop = parse_crop(a.crop);
-    overrides.levels = a.levels;
-    overrides.zoom = a.zoom.value_or(1);
-    overrides.samples = a.samples;
-    overrides.detail = a.detail;
-    overrides.heap = a.heap;
-    if (!a.numeric.empty()) overrides.numeric = parse_numeric(a.numeric);
-    if (!a.covers.empty()) overrides.covers = parse_covers(a.covers);
-    if (!a.shading.empty()) overrides.shading = parse_shading(a.shading);
-    if (!a.intersect.empty()) overrides.intersect = parse_intersect(a.intersect);
-    if (!a.lipschitz.empty()) overrides.lipschitz = parse_lipschitz(a.lipschitz);
-    if (!a.volume.empty()) overrides.volume = parse_volume(a.volume);
+    each_scene_option(arguments,
+                      [&]<class Written>(const char*, const char*, const Written& written, auto to,
+                                         const auto& parse) {
+                          if constexpr (is_text<Written>) {
+                              if (!written.empty()) overrides.*to = parse(written);
+                          } else {
+                              if (written) overrides.*to = *written;
+                          }
+                      });
     return overrides;
+}
+
+/// Those that were given, as a picture notes them; it notes what its numbers are by itself.
+std::string noted_options(const RenderArguments& arguments) {
+    std::string options = arguments.program == "asm" ? "--program asm" : "";
+    each_scene_option(arguments, [&]<class Written>(const std::string& name, const char*,
+                                                    const Written& written, auto, const auto&) {
+        std::string text;
+        if constexpr (is_text<Written>) {
+            text = written;
+        } else if (written) {
+            text = fmt::format("{}", *written);
+        }
+        const bool changes_nothing = name == "--zoom" && text == "1";
+        if (text.empty() || changes_nothing || name == "--numeric") return;
+        options += fmt::format("{}{} {}", options.empty() ? "" : " ", name, text);
+    });
+    return options;
 }
 
 /// What the nodes run.
@@ -103,25 +154,7 @@ std::vector<std::string> outputs_of(const RenderArguments& arguments, const std:
 Metadata metadata_of(const RenderArguments& a, const RenderResult& result, SceneCarrier& carrier,
                      double frame) {
     const Statistics& s = result.statistics;
-    std::string options;
-    const auto note = [&](const char* name, const std::string& value) {
-        if (!value.empty())
-            options += fmt::format("{}{} {}", options.empty() ? "" : " ", name, value);
-    };
-    const auto text = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
-    note("--program", a.program == "asm" ? a.program : "");
-    note("--size", a.size);
-    note("--crop", a.crop);
-    note("--levels", text(a.levels));
-    note("--zoom", a.zoom == 1.0 ? "" : text(a.zoom));
-    note("--samples", text(a.samples));
-    note("--covers", a.covers);
-    note("--shading", a.shading);
-    note("--intersect", a.intersect);
-    note("--lipschitz", a.lipschitz);
-    note("--volume", a.volume);
-    note("--detail", text(a.detail));
-    note("--heap", text(a.heap));
+    std::string options = noted_options(a);
     const std::string settings = text_of(parse_settings(a.set));
     if (!settings.empty()) options += (options.empty() ? "" : " ") + settings;
     std::string carried = carrier.text(frame);
@@ -386,22 +419,7 @@ AddedCommand add_render_command(CommandLine& line) {
         .excludes(part)
         .excludes(claim);
     add_set_option(command, a->set);
-    command.add_option("--size", a->size, "WxH in pixels");
-    command.add_option("--crop", a->crop, "x0,y0,x1,y1: only this window, half open");
-    command.add_option("--levels", a->levels, "Stop after so many maps")
-        .transform(check_of_levels());
-    command.add_option("--zoom", a->zoom, "Move the eye to look + (eye - look) / F")
-        .transform(positive_number());
-    command.add_option("--numeric", a->numeric, "dsp32, float or double");
-    command.add_option("--samples", a->samples, "Samples a pixel").transform(check_of_samples());
-    command.add_option("--covers", a->covers, "on, off, area, or tmin,tmax in pixels");
-    command.add_option("--shading", a->shading, "constant, low-pass, high-pass or facet");
-    command.add_option("--intersect", a->intersect, "auto, heap, fast or wide");
-    command.add_option("--lipschitz", a->lipschitz, "auto, product, determinant or polar");
-    command.add_option("--volume", a->volume, "auto, sphere, box, oriented or hull");
-    command.add_option("--detail", a->detail, "Cells are terminal at so many pixels")
-        .transform(positive_number());
-    command.add_option("--heap", a->heap, "Entries of the heap").transform(check_of_heap());
+    add_scene_options(command, *a);
     command.add_option("--frames", a->frames,
                        "Frames of an animation: 0-599, 0-599:10, 3,7,20-30; to "
                        "-o frames/%04d.png, film.mp4, film.webm, film.gif, or - with --format");

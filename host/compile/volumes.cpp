@@ -18,7 +18,7 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double dear = 300;        // tests a ray: a reason to try more than spheres and boxes
+constexpr double costly = 300;      // tests a ray: a reason to try more than spheres and boxes
 constexpr double sheet = 1.0 / 20;  // of a map's widest: how much thinner is a sheet
 constexpr std::size_t most_fitted = 300;  // follow sets: fitting hulls to more takes too long
 constexpr double clearly_cheaper = 0.5;   // oriented boxes and hulls: else spheres and boxes stay
@@ -96,10 +96,10 @@ class Choice {
         // missed.
         if (is_flat(bounds_[start_].box)) return spheres;
         Trial trial = trial_of(spheres);
-        if (trial.cost(dear) < dear && has_sheets()) return spheres;
+        if (trial.cost(costly) < costly && has_sheets()) return spheres;
         Candidate best{std::move(spheres), std::move(trial)};
         take_if_cheaper(kernels::Volume::box, 1, best);
-        if (best.trial.cost(dear) < dear || bounds_.size() > most_fitted) return best.volumes;
+        if (best.trial.cost(costly) < costly || bounds_.size() > most_fitted) return best.volumes;
         const bool clearly = take_if_cheaper(kernels::Volume::oriented, clearly_cheaper, best);
         take_if_cheaper(kernels::Volume::hull, clearly ? 1 : clearly_cheaper, best);
         return best.volumes;

@@ -48,7 +48,7 @@ HWY_INLINE void place_homotheties(D d, const WideScene& scene, BeamWorkspace& wo
     const Lanes3<V> center = add_scaled(broadcast(d, &parent.center.x), outer, transform(q, turn));
     const V size = hn::Mul(outer, hn::LoadU(d, table.f64.row(HomothetyTable::scale) + i));
     const auto reach = [&](double x) HWY_ATTR { return hn::Mul(size, hn::Set(d, x)); };
-    double* rows = work.scratch.get() + i;
+    const LaneRows rows{work.scratch.get() + i, table.stride};
     V along = size;
     if (object.spheres) {
         along = reach(unit.z);
@@ -58,16 +58,20 @@ HWY_INLINE void place_homotheties(D d, const WideScene& scene, BeamWorkspace& wo
             size, hn::Add(hn::Add(hn::Abs(dot(turn.row[0], way)), hn::Abs(dot(turn.row[1], way))),
                           hn::Abs(dot(turn.row[2], way))));
     }
-    const LanePlace<V> place =
-        see_cells(d, work.view, center,
-                  LaneReach<V>{reach(unit.x), reach(unit.y), reach(unit.s), along, reach(unit.any)},
-                  hn::Set(d, parent.large ? 0.0 : parent.key), rows, table.stride);
+    const LanePlace<V> place = see_cells(
+        d, work.view,
+        LaneCells<V>{center,
+                     {reach(unit.x), reach(unit.y), reach(unit.s), along, reach(unit.any)},
+                     hn::Set(d, parent.large ? 0.0 : parent.key)},
+        rows);
     const auto axes_along = [&](const glm::dvec3& way) HWY_ATTR {
         return Lanes3<V>{reach(glm::dot(axes[0], way)), reach(glm::dot(axes[1], way)),
                          reach(glm::dot(axes[2], way))};
     };
-    cast_cells(d, place, axes_along(work.view.x), axes_along(work.view.y), axes_along(work.view.s),
-               rows, table.stride);
+    cast_cells(
+        d, place,
+        AxesInPicture<V>{axes_along(work.view.x), axes_along(work.view.y), axes_along(work.view.s)},
+        rows);
 }
 
 inline void open_homotheties(const WideScene& scene, BeamWorkspace& work, int index) {
@@ -151,9 +155,10 @@ HWY_INLINE V diameters_of_children(D d, const WideSet& set, const BeamCell& pare
 
 template <class D>
 HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& set,
-                               const BeamCell& parent, double* rows, int i) {
+                               const BeamCell& parent, int i) {
     using V = hn::VFromD<D>;
     const int stride = set.stride;
+    const LaneRows rows{work.scratch.get() + i, stride};
     const double* outer = work.axes[static_cast<std::size_t>(parent.axes)].data();
     const double* table = set.beams.row(0) + i;
     const Lanes3x3<V> frame{
@@ -170,21 +175,19 @@ HWY_INLINE void place_children(D d, const BeamWorkspace& work, const WideSet& se
     const V squares = hn::Add(hn::Add(dot(axes.row[0], axes.row[0]), dot(axes.row[1], axes.row[1])),
                               dot(axes.row[2], axes.row[2]));
     const V lengths = hn::Sqrt(hn::Mul(hn::Set(d, 3.0), squares));  // their sum is no more
-    const Lanes3<V> x = axes_along(d, axes, view.x), y = axes_along(d, axes, view.y),
-                    s = axes_along(d, axes, view.s);
+    const AxesInPicture<V> seen{axes_along(d, axes, view.x), axes_along(d, axes, view.y),
+                                axes_along(d, axes, view.s)};
+    const Lanes3<V> ahead{dot(axes.row[0], way), dot(axes.row[1], way), dot(axes.row[2], way)};
     const LanePlace<V> place =
-        see_cells(d, view, center,
-                  LaneReach<V>{reach.of(d, x), reach.of(d, y), reach.of(d, s),
-                               reach.of(d, Lanes3<V>{dot(axes.row[0], way), dot(axes.row[1], way),
-                                                     dot(axes.row[2], way)}),
-                               lengths},
-                  hn::Set(d, parent.large ? 0.0 : parent.key), rows + i, stride);
-    cast_cells(d, place, x, y, s, rows + i, stride);
-    for (int r = 0; r < 3; ++r) {
-        store3(axes.row[r], d, rows + (BeamRows::axes + 3 * r) * stride + i, stride);
-    }
-    hn::StoreU(diameters_of_children(d, set, parent, axes, i), d,
-               rows + BeamRows::diameter * stride + i);
+        see_cells(d, view,
+                  LaneCells<V>{center,
+                               {reach.of(d, seen.x), reach.of(d, seen.y), reach.of(d, seen.s),
+                                reach.of(d, ahead), lengths},
+                               hn::Set(d, parent.large ? 0.0 : parent.key)},
+                  rows);
+    cast_cells(d, place, seen, rows);
+    for (int r = 0; r < 3; ++r) store3(axes.row[r], d, rows[BeamRows::axes + 3 * r], stride);
+    hn::StoreU(diameters_of_children(d, set, parent, axes, i), d, rows[BeamRows::diameter]);
 }
 
 /// Puts the children of a cell into the queue.
@@ -192,10 +195,10 @@ inline void open_beam_cell(const WideScene& scene, BeamWorkspace& work, int inde
     const hn::ScalableTag<double> d;
     const BeamCell parent = work.cells[static_cast<std::size_t>(index)];
     const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
-    double* rows = work.scratch.get();
+    const double* rows = work.scratch.get();
     work.tested += static_cast<std::uint64_t>(set.count);
     for (int i = 0; i < set.count; i += static_cast<int>(hn::Lanes(d))) {
-        place_children(d, work, set, parent, rows, i);
+        place_children(d, work, set, parent, i);
     }
     const std::uint64_t wanted = parent.pixels;
     const auto row = [&](int i, int lane) {
@@ -237,23 +240,27 @@ inline void push_beam_object(const WideScene& scene, BeamWorkspace& work, int in
         }
         reach = reach_of(work.view, around, true);
     }
-    double* rows = work.scratch.get();
+    const LaneRows rows{work.scratch.get(), 1};
     const auto lane = [&](double x) { return hn::Set(d, x); };
     const LanePlace<V> place = see_cells(
-        d, work.view, broadcast(d, &object.from_unit.translation.x),
-        LaneReach<V>{lane(reach.x), lane(reach.y), lane(reach.s), lane(reach.z), lane(reach.any)},
-        hn::Zero(d), rows, 1);
+        d, work.view,
+        LaneCells<V>{broadcast(d, &object.from_unit.translation.x),
+                     {lane(reach.x), lane(reach.y), lane(reach.s), lane(reach.z), lane(reach.any)},
+                     hn::Zero(d)},
+        rows);
     const Lanes3x3<V> half{
         {broadcast(d, &axes[0].x), broadcast(d, &axes[1].x), broadcast(d, &axes[2].x)}};
-    cast_cells(d, place, axes_along(d, half, work.view.x), axes_along(d, half, work.view.y),
-               axes_along(d, half, work.view.s), rows, 1);
+    cast_cells(d, place,
+               AxesInPicture<V>{axes_along(d, half, work.view.x), axes_along(d, half, work.view.y),
+                                axes_along(d, half, work.view.s)},
+               rows);
     ++work.tested;
     BeamCell cell{};
-    cell.pixels = pixels_between(rows, 1, 0) & work.open;
+    cell.pixels = pixels_between(rows.first, 1, 0) & work.open;
     if (cell.pixels == 0) return;
     cell.center = object.from_unit.translation;
     cell.size = 1;
-    cell.key = rows[BeamRows::key];
+    cell.key = *rows[BeamRows::key];
     cell.constant = object.constant;
     cell.diameter = object.constant * object.diameter;
     cell.set = object.set;

@@ -116,6 +116,7 @@ struct SightPath {
     std::array<float, static_cast<std::size_t>(capacity)> diameters;
     std::array<std::array<float, 3>, static_cast<std::size_t>(capacity)> colors;
     int levels = 0;
+    bool spheres = true;  // the volumes; else boxes
 };
 
 /// A cell that gives the path of a sight a normal.

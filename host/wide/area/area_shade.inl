@@ -47,6 +47,7 @@ inline void put_sight_level(const WideScene& scene, BeamWorkspace& work, int lev
         }
         path.rows[SightPath::center + i][level] = cell.center[i];
     }
+    path.spheres = object.spheres;
     path.colors[at] = level == 0 ? object.color : path.colors[at - 1];
     if (level == 0 || !object.colored) return;
     const BeamCell& parent = work.cells[static_cast<std::size_t>(cell.parent)];
@@ -80,9 +81,10 @@ struct SightHits {
     alignas(64) double normal[3][room];
 };
 
-inline void hit_sight_levels(const SightPath& path, const LoneRay& ray, double base, bool spheres,
-                             PathSide side, SightHits& hits) {
+inline void hit_sight_levels(const SightPath& path, const LoneRay& ray, double base, PathSide side,
+                             SightHits& hits) {
     const hn::ScalableTag<double> d;
+    const bool spheres = path.spheres;
     using V = hn::VFromD<decltype(d)>;
     constexpr int stride = SightPath::capacity + table_step;
     const glm::dvec3 from = ray.origin + base * ray.direction;
@@ -117,28 +119,29 @@ inline glm::vec3 normal_at(const SightHits& hits, int level) {
 
 /// The normals of the cells around an object that became objects of their own.
 inline void give_enclosing(const WideScene& scene, BeamWorkspace& work, const WideObject& object,
-                           const LoneRay& ray, const PathWeights& weights,
-                           std::vector<GivenNormal>& given) {
+                           const LoneRay& ray, const PathWeights& weights) {
     if (object.enclosing < 0) return;
     RayPacket packet;
     gather_rays(packet, std::span{&ray, 1});
     find_enclosing(scene, object, packet, 0, work.enclosing);
     for (const EnclosingNormal& cell : work.enclosing) {
-        given.push_back({to_scene(packet, cell.normal), cell.depth, weights.of(cell.diameter)});
+        work.given.push_back(
+            {to_scene(packet, cell.normal), cell.depth, weights.of(cell.diameter)});
     }
 }
 
 /// As walk_path() of dsp_kernels/shade.hpp.
 inline void give_normals(const WideScene& scene, BeamWorkspace& work, const WideObject& object,
-                         const LoneRay& ray, double key, std::vector<GivenNormal>& given) {
+                         const LoneRay& ray, double key) {
     const SightPath& path = work.path;
+    std::vector<GivenNormal>& given = work.given;
     const PathWeights weights{scene.shading, object.enclosing < 0
                                                  ? path.diameters[0]
                                                  : static_cast<float>(object.widest)};
     given.clear();
-    give_enclosing(scene, work, object, ray, weights, given);
+    give_enclosing(scene, work, object, ray, weights);
     SightHits hits;
-    hit_sight_levels(path, ray, key, object.spheres, PathSide::entry, hits);
+    hit_sight_levels(path, ray, key, PathSide::entry, hits);
     const int last = path.levels - 1;
     const bool facet = scene.shading == kernels::ShadingMode::facet;
     for (int level = facet ? last : 0; level <= last; ++level) {
@@ -149,7 +152,7 @@ inline void give_normals(const WideScene& scene, BeamWorkspace& work, const Wide
     if (!given.empty()) return;
     const float weight = weights.of(path.diameters[static_cast<std::size_t>(last)]);
     if (hits.key[last] <= hits.exit[last]) {
-        hit_sight_levels(path, ray, key, object.spheres, PathSide::exit, hits);
+        hit_sight_levels(path, ray, key, PathSide::exit, hits);
         given.push_back({normal_at(hits, last), hits.exit[last], weight});
     } else {
         given.push_back({-glm::vec3{ray.direction}, key, weight});
@@ -175,8 +178,8 @@ inline void see_along(const WideScene& scene, BeamWorkspace& work, int index, co
     put_sight_path(scene, work, index);
     const BeamCell& cell = work.cells[static_cast<std::size_t>(index)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    std::vector<GivenNormal>& given = work.given;
-    give_normals(scene, work, object, ray, cell.key, given);
+    give_normals(scene, work, object, ray, cell.key);
+    const std::vector<GivenNormal>& given = work.given;
     PathWalk sum;
     for (const GivenNormal& one : given) sum.add(one.normal, one.weight);
     const glm::vec3 normal = sum.normal();
@@ -185,13 +188,8 @@ inline void see_along(const WideScene& scene, BeamWorkspace& work, int index, co
     seen.depth = cell.key;
     seen.object = cell.object;
     seen.level = static_cast<int>(cell.level);
-    seen.facing.resize(scene.lights.size());
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {  // Eq. 17.1
-        const CompiledLight& light = scene.lights[i];
-        seen.facing[i] = light.kind == kernels::LightKind::directional
-                             ? std::max(0.0F, glm::dot(normal, glm::vec3{light.place}))
-                             : facing_lamp(given, ray, light.place);
-    }
+    face_lights(scene, normal, seen,
+                [&](const CompiledLight& lamp) { return facing_lamp(given, ray, lamp.place); });
 }
 
 }  // namespace pxm::host::wide::HWY_NAMESPACE

@@ -53,16 +53,22 @@ HWY_INLINE CellShadow shadow_of(const WideScene& scene, const BeamCell& cell, co
     return shadow;
 }
 
+/// A point of the picture from which places are seen, so many times as far apart as they are.
+struct SpreadFrom {
+    float column, row;
+    float spread;
+};
+
 /// The places of a pixel of which `here(d, x, y)` is true, a bit each: where they are from a point
-/// of the picture, all `spread` times as far apart.
+/// of the picture.
 template <class Here>
 HWY_INLINE std::uint32_t places_where(const BeamWorkspace& work, const PixelBeam& beam,
-                                      float column, float row, float spread, const Here& here) {
+                                      const SpreadFrom& from, const Here& here) {
     const hn::CappedTag<float, most_places> d;
     using V = hn::VFromD<decltype(d)>;
-    const float right = static_cast<float>(beam.column) - column;
-    const float below = static_cast<float>(beam.row) - row;
-    const V x0 = hn::Set(d, right), y0 = hn::Set(d, below), apart = hn::Set(d, spread);
+    const float right = static_cast<float>(beam.column) - from.column;
+    const float below = static_cast<float>(beam.row) - from.row;
+    const V x0 = hn::Set(d, right), y0 = hn::Set(d, below), apart = hn::Set(d, from.spread);
     std::uint32_t found = 0;
     for (int i = 0; i < work.places; i += static_cast<int>(hn::Lanes(d))) {
         const V x = hn::Add(hn::Mul(hn::Load(d, beam.columns + i), apart), x0);
@@ -79,7 +85,7 @@ HWY_INLINE std::uint32_t places_in(const BeamWorkspace& work, const CellShadow& 
                                    std::size_t pixel) {
     constexpr float outermost = 1 + 0x1p-16F;  // no place is lost between boxes that touch
     return places_where(
-        work, work.pixels[pixel], shadow.column, shadow.row, shadow.spread,
+        work, work.pixels[pixel], {shadow.column, shadow.row, shadow.spread},
         [&](auto d, auto x, auto y) HWY_ATTR {
             using V = decltype(x);
             const auto moment = [&](int i) HWY_ATTR {
@@ -105,7 +111,7 @@ HWY_INLINE std::uint32_t places_in(const BeamWorkspace& work, const CellShadow& 
 /// Those in the rectangle around a cell.
 HWY_INLINE std::uint32_t places_around(const BeamWorkspace& work, const Outline& outline,
                                        std::size_t pixel) {
-    return places_where(work, work.pixels[pixel], outline.column, outline.row, 1,
+    return places_where(work, work.pixels[pixel], {outline.column, outline.row, 1},
                         [&](auto d, auto x, auto y) HWY_ATTR {
                             return hn::And(hn::Le(hn::Abs(x), hn::Set(d, outline.columns)),
                                            hn::Le(hn::Abs(y), hn::Set(d, outline.rows)));

@@ -45,9 +45,27 @@ struct BeamRows {
 };
 static_assert(BeamRows::count <= beam_scratch_rows);
 
+/// The rows of a scratch table from a lane on.
+struct LaneRows {
+    double* first;
+    int stride;
+
+    [[nodiscard]] double* operator[](int i) const {
+        return first + static_cast<std::ptrdiff_t>(i) * stride;
+    }
+};
+
 template <class V>
 struct LaneReach {
     V x, y, s, z, any;
+};
+
+/// Cells to be seen: their centres, how far they reach, and where their parent begins.
+template <class V>
+struct LaneCells {
+    Lanes3<V> center;
+    LaneReach<V> reach;
+    V from;
 };
 
 /// The way to the centres of cells: along it their own pixels look.
@@ -86,9 +104,11 @@ struct LanePlace {
 
 /// Where cells are seen; a cell that is not seen has an empty span of columns.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& center,
-                                  const LaneReach<V>& reach, V from, double* rows, int stride) {
-    const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * stride; };
+HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const LaneCells<V>& cells,
+                                  const LaneRows& rows) {
+    const Lanes3<V>& center = cells.center;
+    const LaneReach<V>& reach = cells.reach;
+    const V from = cells.from;
     const auto along = [&](const glm::dvec3& way, double offset) HWY_ATTR {
         return hn::Add(dot(center, broadcast(d, &way.x)), hn::Set(d, offset));
     };
@@ -111,26 +131,32 @@ HWY_INLINE LanePlace<V> see_cells(D d, const TileView& view, const Lanes3<V>& ce
     const LaneSpan<V> columns = span_of(d, seen_x.first, seen_x.last, view.low_x, view.high_x);
     const LaneSpan<V> lines = span_of(d, seen_y.first, seen_y.last, view.low_y, view.high_y);
     const auto ahead = hn::And(hn::Le(from, hn::Add(depth, reach.z)), hn::Lt(zero, far));
-    store3(center, d, row(BeamRows::center), stride);
-    hn::StoreU(hn::Max(from, hn::Sub(depth, reach.z)), d, row(BeamRows::key));
-    hn::StoreU(columns.first, d, row(BeamRows::first_column));
+    store3(center, d, rows[BeamRows::center], rows.stride);
+    hn::StoreU(hn::Max(from, hn::Sub(depth, reach.z)), d, rows[BeamRows::key]);
+    hn::StoreU(columns.first, d, rows[BeamRows::first_column]);
     hn::StoreU(hn::IfThenElse(ahead, columns.last, hn::Set(d, -1.0)), d,
-               row(BeamRows::last_column));
-    hn::StoreU(lines.first, d, row(BeamRows::first_row));
-    hn::StoreU(lines.last, d, row(BeamRows::last_row));
-    hn::StoreU(near, d, row(BeamRows::near));
-    hn::StoreU(depth, d, row(BeamRows::depth));
+               rows[BeamRows::last_column]);
+    hn::StoreU(lines.first, d, rows[BeamRows::first_row]);
+    hn::StoreU(lines.last, d, rows[BeamRows::last_row]);
+    hn::StoreU(near, d, rows[BeamRows::near]);
+    hn::StoreU(depth, d, rows[BeamRows::depth]);
     const V over_s = hn::Div(one, s);
     const LanePlace<V> place{hn::Mul(x, over_s), hn::Mul(y, over_s), over_s};
-    hn::StoreU(place.column, d, row(BeamRows::column));
-    hn::StoreU(place.row, d, row(BeamRows::row));
-    hn::StoreU(hn::Sub(depth, reach.any), d, row(BeamRows::nearest));
-    hn::StoreU(seen_x.first, d, row(BeamRows::left));
-    hn::StoreU(seen_x.last, d, row(BeamRows::right));
-    hn::StoreU(seen_y.first, d, row(BeamRows::top));
-    hn::StoreU(seen_y.last, d, row(BeamRows::bottom));
+    hn::StoreU(place.column, d, rows[BeamRows::column]);
+    hn::StoreU(place.row, d, rows[BeamRows::row]);
+    hn::StoreU(hn::Sub(depth, reach.any), d, rows[BeamRows::nearest]);
+    hn::StoreU(seen_x.first, d, rows[BeamRows::left]);
+    hn::StoreU(seen_x.last, d, rows[BeamRows::right]);
+    hn::StoreU(seen_y.first, d, rows[BeamRows::top]);
+    hn::StoreU(seen_y.last, d, rows[BeamRows::bottom]);
     return place;
 }
+
+/// How far the half axes of volumes go along the picture's X, Y and S.
+template <class V>
+struct AxesInPicture {
+    Lanes3<V> x, y, s;
+};
 
 template <class V>
 HWY_INLINE Lanes3<V> cross(const Lanes3<V>& a, const Lanes3<V>& b) {
@@ -148,22 +174,20 @@ HWY_INLINE Lanes3<V> cross(const Lanes3<V>& a, const Lanes3<V>& b) {
 ///     the moment    xi y - eta x = xi0 y - eta0 x    about the centre, and
 ///     the direction xi x eta = xi0 x eta0 - x (sigma x eta0) - y (xi0 x sigma).
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE void cast_cells(D d, const LanePlace<V>& place, const Lanes3<V>& axes_x,
-                           const Lanes3<V>& axes_y, const Lanes3<V>& axes_s, double* rows,
-                           int stride) {
+HWY_INLINE void cast_cells(D d, const LanePlace<V>& place, const AxesInPicture<V>& axes,
+                           const LaneRows& rows) {
     const auto aside = [&](V along, V away, V at) HWY_ATTR {
         return hn::Mul(hn::Sub(along, hn::Mul(at, away)), place.over_s);
     };
     const auto of = [&](const Lanes3<V>& along, V at) HWY_ATTR {
-        return Lanes3<V>{aside(along.x, axes_s.x, at), aside(along.y, axes_s.y, at),
-                         aside(along.z, axes_s.z, at)};
+        return Lanes3<V>{aside(along.x, axes.s.x, at), aside(along.y, axes.s.y, at),
+                         aside(along.z, axes.s.z, at)};
     };
-    const auto put = [&](int i, const Lanes3<V>& v) HWY_ATTR {
-        store3(v, d, rows + static_cast<std::ptrdiff_t>(BeamRows::shadow + i) * stride, stride);
-    };
-    const Lanes3<V> xi = of(axes_x, place.column), eta = of(axes_y, place.row);
-    const Lanes3<V> sigma{hn::Mul(axes_s.x, place.over_s), hn::Mul(axes_s.y, place.over_s),
-                          hn::Mul(axes_s.z, place.over_s)};
+    const auto put = [&](int i, const Lanes3<V>& v)
+                         HWY_ATTR { store3(v, d, rows[BeamRows::shadow + i], rows.stride); };
+    const Lanes3<V> xi = of(axes.x, place.column), eta = of(axes.y, place.row);
+    const Lanes3<V> sigma{hn::Mul(axes.s.x, place.over_s), hn::Mul(axes.s.y, place.over_s),
+                          hn::Mul(axes.s.z, place.over_s)};
     put(0, xi);
     put(3, eta);
     put(6, cross(xi, eta));

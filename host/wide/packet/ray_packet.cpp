@@ -63,11 +63,12 @@ void reach_corners(RayPacket& packet) {
 }  // namespace
 
 void aim_at_tile(RayPacket& packet, const CompiledCamera& camera, const CropWindow& window,
-                 long left, long top, const glm::dvec2& place) {
+                 const TileCorner& tile, const glm::dvec2& place) {
     constexpr double half = tile_side / 2.0;
+    const auto& [left, top] = tile;
     const auto at = [&](double column, double row) {
-        return camera.corner + camera.across * (static_cast<double>(left) + column) +
-               camera.down * (static_cast<double>(top) + row);
+        return camera.corner + camera.across * (static_cast<double>(tile.left) + column) +
+               camera.down * (static_cast<double>(tile.top) + row);
     };
     packet.perspective = camera.projection == kernels::Projection::perspective;
     packet.origin = glm::dvec3{0.0};

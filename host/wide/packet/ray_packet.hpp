@@ -63,10 +63,15 @@ struct RayPacket {
     bool is_spread = false;
 };
 
-/// The eye rays of the tile whose first pixel is (left, top), through `place` in the unit square of
-/// each pixel; `window` says which pixels are wanted. Not spread yet.
+/// The first pixel of a tile.
+struct TileCorner {
+    long left, top;
+};
+
+/// The eye rays of a tile, through `place` in the unit square of each pixel; `window` says which
+/// pixels are wanted. Not spread yet.
 void aim_at_tile(RayPacket& packet, const CompiledCamera& camera, const CropWindow& window,
-                 long left, long top, const glm::dvec2& place);
+                 const TileCorner& tile, const glm::dvec2& place);
 
 /// A ray on its own, in scene units.
 struct LoneRay {

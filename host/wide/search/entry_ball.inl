@@ -32,51 +32,6 @@ struct BallRays {
     alignas(64) float key[packet_rays];  // in the packet's frame
 };
 
-inline std::uint64_t meet_ball(const RayPacket& packet, const CandidateViewRays& candidate_view,
-                               const HomothetyCell& cell, const SilhouetteCull& shadow,
-                               const ShadowRoom& room, BallRays& rays) {
-    const hn::ScalableTag<float> d;
-    using V = hn::VFromD<decltype(d)>;
-    const auto over = [&](double x) { return hn::Set(d, static_cast<float>(x / cell.size)); };
-    const V center_x = over(cell.center[0]), center_y = over(cell.center[1]);
-    const V far = over(cell.center[2]), near = over(1);
-    const double most =
-        std::max(room.pixel0 + room.pixel1 * (cell.center[2] + cell.size), room.least);
-    const V margin = over(most + cell.size * (packet.reach_u1 + packet.reach_v1));
-    std::uint64_t met = 0;
-    for (int i = 0; i < packet_rays; i += static_cast<int>(hn::Lanes(d))) {
-        const V a = hn::LoadU(d, packet.u1 + i), b = hn::LoadU(d, packet.v1 + i);
-        const V u = hn::Add(hn::Mul(hn::LoadU(d, packet.u0 + i), near), hn::Mul(a, far));
-        const V v = hn::Add(hn::Mul(hn::LoadU(d, packet.v0 + i), near), hn::Mul(b, far));
-        const V x = hn::Sub(center_x, u);
-        const V y = hn::Sub(center_y, v);
-        const V shrink = hn::LoadU(d, packet.shrink2 + i);
-        const BallPass<V> pass(x, y, hn::Set(d, 1.0F), a, b, shrink);
-        const V half = pass.half(shrink);
-        const V start = hn::Sub(hn::Mul(hn::LoadU(d, packet.start + i), near), far);
-        const V key = hn::Max(hn::Sub(pass.ahead, half), start);
-        const auto turned = [&](int axis) HWY_ATTR {
-            return hn::Add(hn::Mul(x, hn::Set(d, candidate_view.turn[0][axis])),
-                           hn::Mul(y, hn::Set(d, candidate_view.turn[1][axis])));
-        };
-        const V behind = turned(2);
-        hn::StoreU(hn::Sub(turned(0), hn::Mul(hn::LoadU(d, candidate_view.a + i), behind)), d,
-                   rays.x + i);
-        hn::StoreU(hn::Sub(turned(1), hn::Mul(hn::LoadU(d, candidate_view.b + i), behind)), d,
-                   rays.y + i);
-        hn::StoreU(behind, d, rays.behind + i);
-        hn::StoreU(key, d, rays.key + i);
-        auto here = hn::Le(start, hn::Add(pass.ahead, half));  // not NaN
-        here = in_silhouette(d, shadow, x, y, hn::Set(d, 1.0F), margin, here);
-        met |= lane_bits(d, here) << i;
-    }
-    return met & packet.inside;
-}
-
-/// In shared views, where lists leave out what a ray cannot meet and the frame is not the
-/// packet's.
-inline constexpr SilhouetteCull no_shadow{};
-
 /// The rays of the packet in the frame of their view.
 inline void spread_in_candidate_view(const WideScene& scene, SearchWorkspace& work) {
     const hn::ScalableTag<float> d;
@@ -117,9 +72,8 @@ inline const HomothetyTable* deciding_table(const WideScene& scene, const Search
     const WideSet& set = scene.sets[static_cast<std::size_t>(cell.set)];
     if (set.composed.empty() || !work.candidate_view_rays.candidate_view->view.shared)
         return nullptr;
-    const ShadowRoom room(scene, work.packet, start.object);
     const double far = cell.center[2] + 1.5 * cell.size, near = cell.center[2] - 1.5 * cell.size;
-    const double most = std::max(room.least, room.pixel0 + room.pixel1 * far);
+    const double most = most_pixel_at(scene, work.packet, start.object, far);
     const double least = pixel_at(scene, work.packet, cell.object, std::max(near, 0.0));
     for (const HomothetyTable& table : set.composed) {
         if (cell.constant * table.most_diameter > least) continue;
@@ -139,7 +93,7 @@ HWY_INLINE std::int32_t nearest_cell(BallRay& ray, float x, float y, const Liste
     using V = hn::VFromD<decltype(d)>;
     constexpr int at_once = table_step;  // on every register
     constexpr std::int32_t nothing = std::numeric_limits<std::int32_t>::max();
-    const V a = hn::Set(d, ray.a), b = hn::Set(d, ray.b), shrink = hn::Set(d, ray.shrink2);
+    const Slant<V> slant{hn::Set(d, ray.a), hn::Set(d, ray.b), hn::Set(d, ray.shrink2)};
     const V start = hn::Set(d, ray.start);
     V nearest = hn::Set(d, ray.best);
     auto places = hn::Set(di, nothing);
@@ -152,10 +106,11 @@ HWY_INLINE std::int32_t nearest_cell(BallRay& ray, float x, float y, const Liste
         found.tested += static_cast<std::uint32_t>(end - first);
         for (int i = first; i < end; i += static_cast<int>(hn::Lanes(d))) {
             const V z = hn::LoadU(d, cells.z + i), r = hn::LoadU(d, cells.radius + i);
-            const V u = hn::Add(hn::Set(d, x), hn::Sub(hn::LoadU(d, cells.x + i), hn::Mul(a, z)));
-            const V v = hn::Add(hn::Set(d, y), hn::Sub(hn::LoadU(d, cells.y + i), hn::Mul(b, z)));
-            const BallPass<V> pass(u, v, r, a, b, shrink);
-            const V half = pass.half(shrink);
+            const V aside_x = hn::Sub(hn::LoadU(d, cells.x + i), hn::Mul(slant.a, z));
+            const V aside_y = hn::Sub(hn::LoadU(d, cells.y + i), hn::Mul(slant.b, z));
+            const V u = hn::Add(hn::Set(d, x), aside_x), v = hn::Add(hn::Set(d, y), aside_y);
+            const BallPass<V> pass(u, v, r, slant);
+            const V half = pass.half(slant);
             const V middle = hn::Add(z, pass.ahead);
             const V key = hn::Max(hn::Sub(middle, half), start);
             auto met = hn::Le(start, hn::Add(middle, half));  // not NaN
@@ -177,78 +132,105 @@ HWY_INLINE std::int32_t nearest_cell(BallRay& ray, float x, float y, const Liste
 /// An entry cell that is a ball, and the rays that look for something inside.
 class BallVisit {
   public:
-    BallVisit(const WideScene& scene, SearchWorkspace& work, const HomothetyCell& cell)
+    BallVisit(const WideScene& scene, SearchWorkspace& work, const HomothetyCell& cell, int index)
         : scene_(scene),
           work_(work),
           seen_(work.candidate_view_rays),
-          start_(scene, cell, cell.center[2], cell.size),
-          shadow_(work.silhouette_culls[static_cast<std::size_t>(cell.object)]),
+          start_(scene, index, cell, cell.center[2], cell.size),
           diameter_(static_cast<float>(cell.diameter)) {}
 
-    void visit(int index) {
-        const ShadowRoom room(scene_, work_.packet, start_.object);
-        const std::uint64_t met = meet_ball(work_.packet, seen_, start_.cell, shadow_, room, rays_);
+    void visit() {
+        const std::uint64_t met = meet();
         if (met == 0) return;
         const HomothetyTable* table = deciding_table(scene_, work_, start_);
         if (table != nullptr) {
             const CandidateLists& lists =
                 seen_.candidate_view->table(scene_, start_.cell.object, start_.cell.set, *table);
-            follow_rays(work_, start_, index, met, rays_.key,
-                        [&](int i, float best, float& depth, Found& found)
-                            HWY_ATTR { return look_up(i, best, *table, lists, depth, found); });
+            follow_rays(work_, start_, met, rays_.key,
+                        [&](RayBelow& ray) HWY_ATTR { return look_up(ray, *table, lists); });
         } else {
             fill_first(start_, work_.opened[0]);
-            follow_rays(work_, start_, index, met, rays_.key,
-                        [&](int i, float best, float& depth, Found& found)
-                            HWY_ATTR { return follow(i, best, depth, found); });
+            follow_rays(work_, start_, met, rays_.key,
+                        [&](RayBelow& ray) HWY_ATTR { return follow(ray); });
         }
     }
 
   private:
+    /// The rays of the packet that meet the ball, a bit each.
+    [[nodiscard]] std::uint64_t meet() {
+        const RayPacket& packet = work_.packet;
+        const HomothetyCell& cell = start_.cell;
+        const hn::ScalableTag<float> d;
+        using V = hn::VFromD<decltype(d)>;
+        const auto over = [&](double x) { return hn::Set(d, static_cast<float>(x / cell.size)); };
+        const V center_x = over(cell.center[0]), center_y = over(cell.center[1]);
+        const V far = over(cell.center[2]), near = over(1);
+        std::uint64_t met = 0;
+        for (int i = 0; i < packet_rays; i += static_cast<int>(hn::Lanes(d))) {
+            const V a = hn::LoadU(d, packet.u1 + i), b = hn::LoadU(d, packet.v1 + i);
+            const V u = hn::Add(hn::Mul(hn::LoadU(d, packet.u0 + i), near), hn::Mul(a, far));
+            const V v = hn::Add(hn::Mul(hn::LoadU(d, packet.v0 + i), near), hn::Mul(b, far));
+            const V x = hn::Sub(center_x, u);
+            const V y = hn::Sub(center_y, v);
+            const Slant<V> slant{a, b, hn::LoadU(d, packet.shrink2 + i)};
+            const BallPass<V> pass(x, y, hn::Set(d, 1.0F), slant);
+            const V half = pass.half(slant);
+            const V start = hn::Sub(hn::Mul(hn::LoadU(d, packet.start + i), near), far);
+            const V key = hn::Max(hn::Sub(pass.ahead, half), start);
+            const auto turned = [&](int axis) HWY_ATTR {
+                return hn::Add(hn::Mul(x, hn::Set(d, seen_.turn[0][axis])),
+                               hn::Mul(y, hn::Set(d, seen_.turn[1][axis])));
+            };
+            const V behind = turned(2);
+            hn::StoreU(hn::Sub(turned(0), hn::Mul(hn::LoadU(d, seen_.a + i), behind)), d,
+                       rays_.x + i);
+            hn::StoreU(hn::Sub(turned(1), hn::Mul(hn::LoadU(d, seen_.b + i), behind)), d,
+                       rays_.y + i);
+            hn::StoreU(behind, d, rays_.behind + i);
+            hn::StoreU(key, d, rays_.key + i);
+            const auto here = hn::Le(start, hn::Add(pass.ahead, half));  // not NaN
+            met |= lane_bits(d, here) << i;
+        }
+        return met & packet.inside;
+    }
     [[nodiscard]] HWY_INLINE BallRay in_candidate_view(HomothetyRay ray, int i) const {
         const float pace = seen_.pace[i], behind = rays_.behind[i];
         ray.best = ray.best * pace - behind;
         ray.start = ray.start * pace - behind;
         ray.pixel_growth /= pace;
         ray.pixel_base += ray.pixel_growth * behind;
-        const auto per_length = static_cast<float>(1 / start_.length);
-        return {ray,
-                seen_.a[i],
-                seen_.b[i],
-                seen_.shrink2[i],
-                per_length,
-                seen_.candidate_view->view.shared ? &no_shadow : &shadow_,
-                &scene_,
-                seen_.candidate_view,
-                start_.cell.object};
+        return {ray,     seen_.a[i],           seen_.b[i],        seen_.shrink2[i],
+                &scene_, seen_.candidate_view, start_.cell.object};
     }
     [[nodiscard]] HWY_INLINE float from_candidate_view(float depth, int i) const {
         return (depth + rays_.behind[i]) / seen_.pace[i];
     }
     /// A ray that finds what it looks for in one list.
-    HWY_INLINE bool look_up(int i, float best, const HomothetyTable& table,
-                            const CandidateLists& lists, float& depth, Found& found) const {
-        BallRay ray = in_candidate_view(ray_below(scene_, work_, start_, i, best), i);
+    HWY_INLINE bool look_up(RayBelow& below, const HomothetyTable& table,
+                            const CandidateLists& lists) const {
+        const int i = below.ray;
+        BallRay ray = in_candidate_view(ray_below(scene_, work_, start_, below), i);
         const float x = rays_.x[i], y = rays_.y[i];
-        const std::int32_t lane = nearest_cell(ray, x, y, lists.at(table, -x, -y), found);
+        const std::int32_t lane = nearest_cell(ray, x, y, lists.at(table, -x, -y), below.found);
         if (lane < 0) return false;
-        found.below_count = table.steps;
+        below.found.below_count = table.steps;
         const auto& lanes = table.lanes[static_cast<std::size_t>(lane)];
-        std::copy_n(lanes.begin(), lanes.size(), found.below.begin());
-        depth = from_candidate_view(ray.found, i);
+        std::copy_n(lanes.begin(), lanes.size(), below.found.below.begin());
+        below.depth = from_candidate_view(ray.found, i);
         return true;
     }
     /// A ray that goes down level by level.
-    HWY_INLINE bool follow(int i, float best, float& depth, Found& found) {
-        const HomothetyRay fixed = ray_below(scene_, work_, start_, i, best);
-        if (start_.last || diameter_ <= fixed.pixel(depth)) {
-            found.below_count = 0;
+    HWY_INLINE bool follow(RayBelow& below) {
+        const int i = below.ray;
+        const HomothetyRay in_packet = ray_below(scene_, work_, start_, below);
+        if (start_.last || diameter_ <= in_packet.pixel(below.depth)) {
+            below.found.below_count = 0;
             return true;
         }
-        BallRay ray = in_candidate_view(fixed, i);
-        if (!follow_homotheties(scene_, work_, ray, {rays_.x[i], rays_.y[i], 0, 1}, found))
+        BallRay ray = in_candidate_view(in_packet, i);
+        if (!follow_homotheties(scene_, work_, ray, {rays_.x[i], rays_.y[i], 0, 1}, below.found))
             return false;
-        depth = from_candidate_view(ray.found, i);
+        below.depth = from_candidate_view(ray.found, i);
         return true;
     }
 
@@ -256,7 +238,6 @@ class BallVisit {
     SearchWorkspace& work_;
     const CandidateViewRays& seen_;
     const EntryBelow start_;
-    const SilhouetteCull& shadow_;
     float diameter_;
     BallRays rays_;
 };

@@ -38,29 +38,29 @@ inline void visit_box(const WideScene& scene, SearchWorkspace& work, const Homot
     EntryRays& rays = work.start;
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
     rows_of(object, work.packet, cell, box.rows, box.base);
-    const EntryBelow start(scene, cell, box.base, 1);
+    const EntryBelow start(scene, index, cell, box.base, 1);
     const std::uint64_t met = meet_entry_cell(work, box, rays);
     fill_first(start, work.opened[0]);
     const auto diameter = static_cast<float>(cell.diameter);
-    const auto follow = [&](int i, float best, float& depth, Found& found) HWY_ATTR {
-        BoxRay ray{ray_below(scene, work, start, i, best), {}};
-        if (start.last || diameter <= ray.pixel(depth)) {
-            found.below_count = 0;
+    const auto follow = [&](RayBelow& below) HWY_ATTR {
+        BoxRay ray{ray_below(scene, work, start, below), {}};
+        if (start.last || diameter <= ray.pixel(below.depth)) {
+            below.found.below_count = 0;
             return true;
         }
-        const PlaceBelow at = place_in_box(rays, i, ray);
+        const PlaceBelow at = place_in_box(rays, below.ray, ray);
         if (object.grid) {
             const float center[3] = {at.x, at.y, at.z};
             GridWalk walk(scene, ray);
             const std::uint32_t left = object.levels - cell.level;
-            return ray.parallel ? walk.follow<true>(cell, center, rays.key[i], left, found, depth)
-                                : walk.follow<false>(cell, center, rays.key[i], left, found, depth);
+            return ray.parallel ? walk.follow<true>(cell, center, left, below)
+                                : walk.follow<false>(cell, center, left, below);
         }
-        if (!follow_homotheties(scene, work, ray, at, found)) return false;
-        depth = ray.found;
+        if (!follow_homotheties(scene, work, ray, at, below.found)) return false;
+        below.depth = ray.found;
         return true;
     };
-    follow_rays(work, start, index, met, rays.key, follow);
+    follow_rays(work, start, met, rays.key, follow);
 }
 
 }  // namespace pxm::host::wide::HWY_NAMESPACE

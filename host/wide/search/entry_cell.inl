@@ -126,7 +126,7 @@ inline void visit_entry_cell(const WideScene& scene, SearchWorkspace& work, int 
     }
     const Opening opening{map,      linear,     table_step, static_cast<float>(cell.constant),
                           cell.set, cell.level, -1,         index};
-    int root = -1;
+    EntryChildren children{-1, object.levels};
     for (; met != 0; met &= met - 1) {
         const int i = std::countr_zero(met);
         const auto at = static_cast<std::size_t>(i);
@@ -152,11 +152,12 @@ inline void visit_entry_cell(const WideScene& scene, SearchWorkspace& work, int 
         ray.pixel_growth = static_cast<float>(scene.detail * growth);
         ray.pixel_least = static_cast<float>(scene.detail * object.smallest_pixel);
         ray.slack = 0x1p-20F / std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+        ray.key = rays.key[i];
+        ray.exit = rays.exit[i];
         ray.best = static_cast<float>(work.best[at] - cell.base);
-        if (root < 0) root = make_block(scene, work, opening, object.levels);
+        if (children.block < 0) children.block = make_block(scene, work, opening, object.levels);
         Found& found = work.found[at];
-        const bool improved =
-            follow_ray(scene, work, ray, rays.key[i], rays.exit[i], root, object.levels, found);
+        const bool improved = follow_ray(scene, work, ray, children, found);
         if (found.given_up) {
             leave_ray(work, i);
         } else if (improved) {

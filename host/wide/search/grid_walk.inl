@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 
-#include "host/wide/search/homothety_cells.inl"
+#include "host/wide/search/homothety_entry.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
@@ -36,12 +36,13 @@ class GridWalk {
     }
 
     /// From the entry cell on, whose centre's planes the ray passes at `center`: the nearest
-    /// terminal cell that is nearer than the ray's best. True, and `found` and `depth` changed, if
-    /// there is one. `parallel`: the ray may lie in faces.
+    /// terminal cell that is nearer than the ray's best. True, and what is known of the ray
+    /// changed, if there is one. `parallel`: the ray may lie in faces.
     template <bool parallel>
-    bool follow(const HomothetyCell& start, const float* center, float entry,
-                std::uint32_t levels_left, Found& found, float& depth) {
-        enter(start.set, center, ray_.pace, static_cast<float>(start.constant), entry);
+    bool follow(const HomothetyCell& start, const float* center, std::uint32_t levels_left,
+                RayBelow& below) {
+        Found& found = below.found;
+        enter(start.set, center, ray_.pace, static_cast<float>(start.constant), below.depth);
         while (true) {
             WalkedCell& cell = cells_[static_cast<std::size_t>(level_)];
             const HomothetyTable& table = cell.set->children;
@@ -63,7 +64,7 @@ class GridWalk {
                         cell.constant * table.rows.row(HomothetyTable::diameter)[cell.lane];
                     const bool last = static_cast<std::uint32_t>(level_) + 1 == levels_left;
                     if (last || diameter <= ray_.pixel(key)) {
-                        depth = key;
+                        below.depth = key;
                         keep_word(found);
                         return true;
                     }

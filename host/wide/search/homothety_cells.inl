@@ -15,7 +15,6 @@
 #include <limits>
 
 #include "host/wide/search/homothety_levels.inl"
-#include "host/wide/search/silhouette_cull.inl"
 #include "host/wide/search/single_ray.inl"
 #include "host/wide/tables/candidate_views.hpp"
 
@@ -23,6 +22,13 @@ HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// Where a ray is in cells, and which of them it meets.
+template <class V, class M>
+struct MetLanes {
+    LaneInterval<V> inside;
+    M met;
+};
 
 /// What a ray needs to know of p and of itself, whatever the volumes. Depths are in units of
 /// `length` from the entry cell's base.
@@ -37,31 +43,30 @@ struct HomothetyRay {
     [[nodiscard]] float pixel(float depth) const {
         return std::max(pixel_base + pixel_growth * depth, pixel_least);
     }
+    /// Notes which of the cells from i on, of those that `met` it, it meets not before its start
+    /// and nearer than its best, and which are terminal there.
+    template <class D, class V, class M>
+    HWY_INLINE void note(D d, const ListedCells& cells, int i, MetLanes<V, M> at,
+                         OpenedCell& opened) const {
+        const V key = hn::Max(at.inside.key, hn::Set(d, start));
+        M met =
+            hn::And(at.met, hn::And(hn::Le(key, at.inside.exit), hn::Lt(key, hn::Set(d, best))));
+        met = hn::And(met, hn::FirstN(d, static_cast<std::size_t>(cells.count - i)));
+        const V p = hn::Max(hn::Add(hn::Set(d, pixel_base), hn::Mul(hn::Set(d, pixel_growth), key)),
+                            hn::Set(d, pixel_least));
+        const V diameter = hn::Mul(hn::Set(d, opened.constant), hn::LoadU(d, cells.diameter + i));
+        hn::StoreU(key, d, opened.key + i);
+        opened.waiting |= lane_bits(d, met) << i;
+        opened.terminal |= lane_bits(d, hn::Le(diameter, p)) << i;
+    }
 };
 
-/// Notes which of the cells from i on are met, not before the ray's start and nearer than its best,
-/// and which of these are terminal.
-template <class D, class V = hn::VFromD<D>, class M>
-HWY_INLINE void note_met(D d, const HomothetyRay& ray, const ListedCells& cells, int i, V key,
-                         V exit, M met, OpenedCell& opened) {
-    key = hn::Max(key, hn::Set(d, ray.start));
-    met = hn::And(met, hn::And(hn::Le(key, exit), hn::Lt(key, hn::Set(d, ray.best))));
-    met = hn::And(met, hn::FirstN(d, static_cast<std::size_t>(cells.count - i)));
-    const V p =
-        hn::Max(hn::Add(hn::Set(d, ray.pixel_base), hn::Mul(hn::Set(d, ray.pixel_growth), key)),
-                hn::Set(d, ray.pixel_least));
-    const V diameter = hn::Mul(hn::Set(d, opened.constant), hn::LoadU(d, cells.diameter + i));
-    hn::StoreU(key, d, opened.key + i);
-    opened.waiting |= lane_bits(d, met) << i;
-    opened.terminal |= lane_bits(d, hn::Le(diameter, p)) << i;
-}
-
-/// The place of the cells from i on.
+/// The places of the cells from i on.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE void keep_places(D d, int i, V x, V y, V z, V size, OpenedCell& opened) {
-    hn::StoreU(x, d, opened.x + i);
-    hn::StoreU(y, d, opened.y + i);
-    hn::StoreU(z, d, opened.z + i);
+HWY_INLINE void keep_places(D d, int i, const Lanes3<V>& center, V size, OpenedCell& opened) {
+    hn::StoreU(center.x, d, opened.x + i);
+    hn::StoreU(center.y, d, opened.y + i);
+    hn::StoreU(center.z, d, opened.z + i);
     hn::StoreU(size, d, opened.size + i);
 }
 
@@ -69,9 +74,7 @@ HWY_INLINE void keep_places(D d, int i, V x, V y, V z, V size, OpenedCell& opene
 struct BallRay : HomothetyRay {
     float a;  // the ray moves sideways by (a, b) per depth
     float b;
-    float shrink2;     // 1 / (1 + a^2 + b^2)
-    float per_length;  // 1 / length, from scene units
-    const SilhouetteCull* shadow;
+    float shrink2;  // 1 / (1 + a^2 + b^2)
     const WideScene* scene;
     CandidateView* candidate_view;
     int object;
@@ -86,25 +89,23 @@ struct BallRay : HomothetyRay {
     HWY_INLINE void test(const PlaceBelow& at, const ListedCells& cells, OpenedCell& opened) const {
         const hn::CappedTag<float, table_step> d;
         using V = hn::VFromD<decltype(d)>;
-        const V va = hn::Set(d, a), vb = hn::Set(d, b), shrink = hn::Set(d, shrink2);
+        const Slant<V> slant{hn::Set(d, a), hn::Set(d, b), hn::Set(d, shrink2)};
         const V size = hn::Set(d, at.size);
-        const float beside = at.size * (std::abs(a) + std::abs(b));
-        const V margin = hn::Set(d, pixel(deepest(at)) * per_length + beside);
         for (int i = 0; i < cells.count; i += static_cast<int>(hn::Lanes(d))) {
             const V qz = hn::LoadU(d, cells.z + i);
-            const V beside_x = hn::Sub(hn::LoadU(d, cells.x + i), hn::Mul(va, qz));
-            const V beside_y = hn::Sub(hn::LoadU(d, cells.y + i), hn::Mul(vb, qz));
+            const V beside_x = hn::Sub(hn::LoadU(d, cells.x + i), hn::Mul(slant.a, qz));
+            const V beside_y = hn::Sub(hn::LoadU(d, cells.y + i), hn::Mul(slant.b, qz));
             const V x = hn::Add(hn::Set(d, at.x), hn::Mul(size, beside_x));
             const V y = hn::Add(hn::Set(d, at.y), hn::Mul(size, beside_y));
             const V z = hn::Add(hn::Set(d, at.z), hn::Mul(size, qz));
             const V r = hn::Mul(size, hn::LoadU(d, cells.radius + i));
-            const BallPass<V> pass(x, y, r, va, vb, shrink);
-            const V half = pass.half(shrink);
+            const BallPass<V> pass(x, y, r, slant);
+            const V half = pass.half(slant);
             const V middle = hn::Add(z, pass.ahead);
-            const V key = hn::Sub(middle, half), exit = hn::Add(middle, half);
-            const auto met = in_silhouette(d, *shadow, x, y, r, margin, hn::Le(key, exit));
-            keep_places(d, i, x, y, z, r, opened);
-            note_met(d, *this, cells, i, key, exit, met, opened);
+            const LaneInterval<V> inside{hn::Sub(middle, half), hn::Add(middle, half)};
+            const auto met = hn::Le(inside.key, inside.exit);
+            keep_places(d, i, Lanes3<V>{x, y, z}, r, opened);
+            note(d, cells, i, MetLanes<V, hn::Mask<decltype(d)>>{inside, met}, opened);
         }
     }
     /// Not less than the key of any cell inside.
@@ -156,9 +157,10 @@ struct BoxRay : HomothetyRay {
             const V key = max3(hn::Sub(x, half_x), hn::Sub(y, half_y), hn::Sub(z, half_z));
             const V exit =
                 hn::Min(hn::Min(hn::Add(x, half_x), hn::Add(y, half_y)), hn::Add(z, half_z));
-            keep_places(d, i, x, y, z, size, opened);
+            keep_places(d, i, Lanes3<V>{x, y, z}, size, opened);
             const auto met = hn::Le(key, hn::Add(exit, hn::Set(d, touching)));
-            note_met(d, *this, cells, i, key, hn::Max(key, exit), met, opened);
+            note(d, cells, i, MetLanes<V, hn::Mask<decltype(d)>>{{key, hn::Max(key, exit)}, met},
+                 opened);
             if (!parallel) continue;
             const auto near = [&](V center, V reach, float within) HWY_ATTR {
                 return hn::Le(hn::Abs(hn::Sub(hn::Abs(center), reach)), hn::Set(d, within));

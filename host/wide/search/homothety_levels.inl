@@ -9,11 +9,11 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "host/wide/search/packet_levels.inl"
-#include "host/wide/search/silhouette_cull.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
@@ -53,38 +53,43 @@ struct HomothetyRows {
     static constexpr int far = 5;
 };
 
-/// How rays that move sideways by (a, b) per depth pass balls of radius r whose centres are (x, y)
-/// beside them at the centre's depth. `shrink2` is 1 / (1 + a^2 + b^2).
+/// Rays that move sideways by (a, b) per depth.
+template <class V>
+struct Slant {
+    V a, b;
+    V shrink2;  // 1 / (1 + a^2 + b^2)
+};
+
+/// How slanting rays pass balls of radius r whose centres are (x, y) beside them at the centre's
+/// depth.
 template <class V>
 struct BallPass {
     V ahead;  // depth of the foot of the perpendicular from the centre: rays are oblique
     V half2;  // the square of half the chord, negative on a miss
 
-    HWY_INLINE BallPass(V x, V y, V r, V a, V b, V shrink2) {
-        const V slope = hn::Add(hn::Mul(a, x), hn::Mul(b, y));
-        ahead = hn::Mul(slope, shrink2);
+    HWY_INLINE BallPass(V x, V y, V r, const Slant<V>& rays) {
+        const V slope = hn::Add(hn::Mul(rays.a, x), hn::Mul(rays.b, y));
+        ahead = hn::Mul(slope, rays.shrink2);
         const V away2 = hn::Add(hn::Mul(x, x), hn::Mul(y, y));
         half2 = hn::Add(hn::Sub(hn::Mul(r, r), away2), hn::Mul(slope, ahead));
     }
     /// Half the depth between entry and exit; NaN on a miss.
-    [[nodiscard]] HWY_INLINE V half(V shrink2) const { return hn::Sqrt(hn::Mul(half2, shrink2)); }
+    [[nodiscard]] HWY_INLINE V half(const Slant<V>& rays) const {
+        return hn::Sqrt(hn::Mul(half2, rays.shrink2));
+    }
 };
 
-/// Detail times the size of a pixel in scene units, at most: max(pixel0 + pixel1 z, least).
-struct ShadowRoom {
-    double pixel0, pixel1, least;
+/// detail * p(z) at most, of all rays of the packet.
+inline double most_pixel_at(const WideScene& scene, const RayPacket& packet,
+                            const WideObject& object, double z) {
+    return std::max(scene.detail * object.smallest_pixel,
+                    scene.detail * packet.most_at_origin + scene.detail * packet.most_growth * z);
+}
 
-    ShadowRoom(const WideScene& scene, const RayPacket& packet, const WideObject& object)
-        : pixel0(scene.detail * packet.most_at_origin),
-          pixel1(scene.detail * packet.most_growth),
-          least(scene.detail * object.smallest_pixel) {}
-};
-
-/// A ball misses the beam if its centre is farther beside the beam's square than its radius.
+/// A ball misses the frustum if its centre is farther beside the square of the rays than its
+/// radius.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneInterval<V> ball_in_frustum(D d, const RayPacket& packet,
-                                           const SilhouetteCull& shadow, const ShadowRoom& room,
-                                           const Lanes3<V>& c, V r) {
+HWY_INLINE LaneInterval<V> ball_in_frustum(D d, const RayPacket& packet, const Lanes3<V>& c, V r) {
     const V zero = hn::Zero(d);
     r = hn::Mul(r, hn::Set(d, 1 + unit_margin));
     const V far = hn::Add(c.z, r);
@@ -95,22 +100,16 @@ HWY_INLINE LaneInterval<V> ball_in_frustum(D d, const RayPacket& packet,
     const V x = hn::Max(hn::Sub(hn::Abs(c.x), reach_u), zero);
     const V y = hn::Max(hn::Sub(hn::Abs(c.y), reach_v), zero);
     const V half2 = hn::Sub(hn::Mul(r, r), hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
-    auto met = hn::And(hn::Le(zero, half2), hn::Le(zero, far));
-    if (shadow.edges > 0) {
-        const V p = hn::Max(hn::Add(hn::Set(d, room.pixel0), hn::Mul(hn::Set(d, room.pixel1), far)),
-                            hn::Set(d, room.least));
-        const V beside = hn::Mul(r, hn::Set(d, packet.reach_u1 + packet.reach_v1));
-        met = in_silhouette(d, shadow, c.x, c.y, r,
-                            hn::Add(hn::Add(p, beside), hn::Add(reach_u, reach_v)), met);
-    }
+    const auto met = hn::And(hn::Le(zero, half2), hn::Le(zero, far));
     const V half = hn::Sqrt(hn::Max(half2, zero));
     return {hn::Max(hn::Sub(c.z, half), zero),
             hn::IfThenElse(met, hn::Add(c.z, half), hn::Set(d, -beyond))};
 }
 
-/// The depths at which the beam may be in boxes: two bounds for each axis.
+/// The depths at which the rays may be in boxes: two bounds for each axis.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneInterval<V> box_in_frustum(D d, const BoxFrustum& beam, const Lanes3<V>& c, V half) {
+HWY_INLINE LaneInterval<V> box_in_frustum(D d, const BoxFrustum& frustum, const Lanes3<V>& c,
+                                          V half) {
     LaneInterval<V> inside{hn::Zero(d), hn::Set(d, beyond)};
     half = hn::Mul(half, hn::Set(d, 1 + unit_margin));
     const auto clip = [&](V reach, double pace) HWY_ATTR {
@@ -122,10 +121,10 @@ HWY_INLINE LaneInterval<V> box_in_frustum(D d, const BoxFrustum& beam, const Lan
         }
     };
     const auto axis = [&](V center, std::size_t k) HWY_ATTR {
-        const V wide = hn::Add(half, hn::Set(d, beam.spread0[k]));
-        const V from_eye = hn::Sub(center, hn::Set(d, beam.eye[k]));
-        clip(hn::Add(wide, from_eye), beam.high_pace[k]);
-        clip(hn::Sub(wide, from_eye), beam.low_pace[k]);
+        const V wide = hn::Add(half, hn::Set(d, frustum.spread0[k]));
+        const V from_eye = hn::Sub(center, hn::Set(d, frustum.eye[k]));
+        clip(hn::Add(wide, from_eye), frustum.high_pace[k]);
+        clip(hn::Sub(wide, from_eye), frustum.low_pace[k]);
     };
     axis(c.x, 0);
     axis(c.y, 1);
@@ -135,8 +134,7 @@ HWY_INLINE LaneInterval<V> box_in_frustum(D d, const BoxFrustum& beam, const Lan
 
 inline void push_homothety_cell(SearchWorkspace& work, const HomothetyCell& cell) {
     work.homothety_cells.push_back(cell);
-    work.queue.emplace_back(cell.near, ~(static_cast<int>(work.homothety_cells.size()) - 1));
-    std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+    push_into_queue(work, cell.near, ~(static_cast<int>(work.homothety_cells.size()) - 1));
 }
 
 /// Puts the children of a cell of homotheties into the queue that a ray of the packet may meet.
@@ -149,9 +147,7 @@ inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, i
     const HomothetyTable& table = set.children;
     const LaneTable<double>& centers =
         object.spheres ? turn_children(scene, work, parent.object, parent.set) : table.f64;
-    const BoxFrustum& beam = work.box_frusta[static_cast<std::size_t>(parent.object)];
-    const SilhouetteCull& shadow = work.silhouette_culls[static_cast<std::size_t>(parent.object)];
-    const ShadowRoom room(scene, work.packet, object);
+    const BoxFrustum& frustum = work.box_frusta[static_cast<std::size_t>(parent.object)];
     double* rows = work.scratch.get();
     const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * table.stride; };
     work.shared_tests += static_cast<std::uint64_t>(table.count);
@@ -160,9 +156,8 @@ inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, i
         const Lanes3<V> c = add_scaled(broadcast(d, parent.center.data()), size,
                                        load3(d, centers.row(0) + i, table.stride));
         const V half = hn::Mul(size, hn::LoadU(d, table.f64.row(HomothetyTable::scale) + i));
-        const LaneInterval<V> inside = object.spheres
-                                           ? ball_in_frustum(d, work.packet, shadow, room, c, half)
-                                           : box_in_frustum(d, beam, c, half);
+        const LaneInterval<V> inside = object.spheres ? ball_in_frustum(d, work.packet, c, half)
+                                                      : box_in_frustum(d, frustum, c, half);
         store3(c, d, row(HomothetyRows::center) + i, table.stride);
         hn::StoreU(half, d, row(HomothetyRows::size) + i);
         hn::StoreU(hn::Max(inside.key, hn::Set(d, parent.near)), d, row(HomothetyRows::near) + i);
@@ -187,7 +182,8 @@ inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, i
     }
 }
 
-inline void set_box_frustum(const WideObject& object, const RayPacket& packet, BoxFrustum& beam) {
+inline void set_box_frustum(const WideObject& object, const RayPacket& packet,
+                            BoxFrustum& frustum) {
     const glm::dvec3 u = object.to_unit.direction(packet.axis[0]);
     const glm::dvec3 v = object.to_unit.direction(packet.axis[1]);
     const glm::dvec3 w = object.to_unit.direction(packet.axis[2]);
@@ -197,14 +193,14 @@ inline void set_box_frustum(const WideObject& object, const RayPacket& packet, B
     for (int k = 0; k < 3; ++k) {
         const auto at = static_cast<std::size_t>(k);
         const double spread1 = std::abs(u[k]) * packet.reach_u1 + std::abs(v[k]) * packet.reach_v1;
-        beam.eye[at] = eye[k];
-        beam.spread0[at] = std::abs(u[k]) * packet.reach_u0 + std::abs(v[k]) * packet.reach_v0;
-        beam.high_pace[at] = inverse(w[k] - spread1);
-        beam.low_pace[at] = inverse(-w[k] - spread1);
+        frustum.eye[at] = eye[k];
+        frustum.spread0[at] = std::abs(u[k]) * packet.reach_u0 + std::abs(v[k]) * packet.reach_v0;
+        frustum.high_pace[at] = inverse(w[k] - spread1);
+        frustum.low_pace[at] = inverse(-w[k] - spread1);
     }
 }
 
-/// Step 1.1 for an object with a fixed direction.
+/// Step 1.1 for an object of homotheties.
 inline void push_homothety_object(const WideScene& scene, SearchWorkspace& work, int index) {
     const hn::CappedTag<double, 1> d;
     using V = hn::VFromD<decltype(d)>;
@@ -232,18 +228,14 @@ inline void push_homothety_object(const WideScene& scene, SearchWorkspace& work,
     }
     const Lanes3<V> c = broadcast(d, cell.center.data());
     const V size = hn::Set(d, cell.size);
-    const ShadowRoom room(scene, packet, object);
     const LaneInterval<V> inside =
         object.spheres
-            ? ball_in_frustum(d, packet, SilhouetteCull{}, room, c, size)
+            ? ball_in_frustum(d, packet, c, size)
             : box_in_frustum(d, work.box_frusta[static_cast<std::size_t>(index)], c, size);
     ++work.shared_tests;
     cell.near = hn::GetLane(inside.key);
     cell.far = hn::GetLane(inside.exit);
     if (!(cell.near <= cell.far)) return;
-    if (object.spheres)
-        work.silhouette_culls[static_cast<std::size_t>(index)] =
-            make_silhouette_cull(object, packet);
     push_homothety_cell(work, cell);
 }
 

@@ -41,13 +41,13 @@ inline bool is_entry(const WideScene& scene, const SearchWorkspace& work, const 
            cell.diameter <= most_pixels * pixel_at(scene, work.packet, cell.object, near);
 }
 
-/// As visit_entry_cell(), for an object with a fixed direction.
+/// As visit_entry_cell(), for an object of homotheties.
 inline void visit_homotheties(const WideScene& scene, SearchWorkspace& work, int index) {
     begin_looking(work);
     const HomothetyCell cell = work.homothety_cells[static_cast<std::size_t>(index)];
     if (scene.objects[static_cast<std::size_t>(cell.object)].spheres) {
         spread_in_candidate_view(scene, work);
-        BallVisit(scene, work, cell).visit(index);
+        BallVisit(scene, work, cell, index).visit();
     } else {
         visit_box(scene, work, cell, index);
     }
@@ -136,7 +136,6 @@ bool search_packet(const WideScene& scene, SearchWorkspace& work) {
     ++work.packet_number;
     work.homothety_cells.clear();
     work.box_frusta.resize(scene.objects.size());
-    work.silhouette_culls.resize(scene.objects.size());
     work.turned.resize(scene.sets.size());
     work.turned_for.resize(scene.sets.size(), 0);
     work.shared_tests = 0;

@@ -17,7 +17,6 @@
 #include "host/wide/search/cells.hpp"
 #include "host/wide/search/child_block.hpp"
 #include "host/wide/search/opened_cell.hpp"
-#include "host/wide/search/silhouette_cull.hpp"
 #include "host/wide/tables/candidate_views.hpp"
 #include "host/wide/tables/wide_scene.hpp"
 
@@ -34,9 +33,8 @@ struct SearchWorkspace {
     RayPacket packet;
     std::vector<SharedCell> cells;
     std::vector<HomothetyCell> homothety_cells;
-    std::vector<BoxFrustum> box_frusta;            // per object
-    std::vector<SilhouetteCull> silhouette_culls;  // per object
-    std::vector<std::pair<double, int>> queue;     // (near, cell or ~homothety cell), a heap
+    std::vector<BoxFrustum> box_frusta;         // per object
+    std::vector<std::pair<double, int>> queue;  // (near, cell or ~homothety cell), a heap
     std::vector<Block> blocks;
     Arena arena;
     EntryRays start;

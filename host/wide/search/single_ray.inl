@@ -128,8 +128,21 @@ struct RayInEntry {
     float pixel_growth;
     float pixel_least;
     float slack;  // of depth, that rounding may cause
+    float key;    // it is in the entry cell between these depths
+    float exit;
     float best;   // no cell beyond is of interest
     float found;  // depth of the terminal cell found
+};
+
+/// Part of a ray, from key to exit.
+struct Interval {
+    float key, exit;
+};
+
+/// The children of an entry cell.
+struct EntryChildren {
+    int block;
+    std::uint32_t last_level;  // cells of this level are terminal whatever their size
 };
 
 /// How far rounding may move a ray's origin in the coordinates of children, given what it is in the
@@ -145,15 +158,15 @@ HWY_INLINE Lanes3<V> rounding_room(D d, const Lanes3x3<V>& map) {
             axis(map.row[0].z, map.row[1].z, map.row[2].z)};
 }
 
-/// Tests children of a block, from `met.first` on: those that the ray meets within [key, exit] and
+/// Tests children of a block, from `met.first` on: those that the ray meets within an interval and
 /// nearer than its best. False if the ray lies in the face of a box, where floats cannot tell.
 template <bool spheres, class D, class V = hn::VFromD<D>>
 [[nodiscard]] HWY_INLINE bool meet_children(D d, const Block& block, const RayInEntry& ray,
-                                            float key, float exit, MetChildren& met) {
+                                            const Interval& within, MetChildren& met) {
     const int stride = block.stride;
     const Lanes3<V> origin = broadcast(d, ray.origin);
     const Lanes3<V> direction = broadcast(d, ray.direction);
-    const V outer_key = hn::Set(d, key), outer_exit = hn::Set(d, exit);
+    const V outer_key = hn::Set(d, within.key), outer_exit = hn::Set(d, within.exit);
     const V best = hn::Set(d, ray.best), slack = hn::Set(d, ray.slack);
     bool clear = true;
     met.waiting = met.terminal = 0;
@@ -219,11 +232,11 @@ HWY_INLINE int nearest_waiting(const MetCells& cells, float best) {
 
 /// Follows a ray from the entry cell (already met, not terminal) to the nearest terminal cell that
 /// is nearer than `ray.best`. True, and `found` changed, if there is one.
-inline bool follow_ray(const WideScene& scene, SearchWorkspace& work, RayInEntry& ray, float key,
-                       float exit, int root, std::uint32_t last_level, Found& found) {
+inline bool follow_ray(const WideScene& scene, SearchWorkspace& work, RayInEntry& ray,
+                       const EntryChildren& entry, Found& found) {
     std::vector<MetChildren>& stack = work.met;
     std::size_t depth = 0;
-    const auto open = [&](int index, float from, float to) HWY_ATTR {
+    const auto open = [&](int index, const Interval& within) HWY_ATTR {
         const Block& block = work.blocks[static_cast<std::size_t>(index)];
         const WideSet& set = scene.sets[static_cast<std::size_t>(block.set)];
         found.tested += static_cast<std::uint32_t>(set.count);
@@ -234,13 +247,13 @@ inline bool follow_ray(const WideScene& scene, SearchWorkspace& work, RayInEntry
             met.first = first;
             met.count = std::min(MetCells::room, set.count - first);
             const bool clear = with_lanes_for(block.stride, [&](auto d) HWY_ATTR {
-                return set.spheres ? meet_children<true>(d, block, ray, from, to, met)
-                                   : meet_children<false>(d, block, ray, from, to, met);
+                return set.spheres ? meet_children<true>(d, block, ray, within, met)
+                                   : meet_children<false>(d, block, ray, within, met);
             });
             if (!clear) found.given_up = true;
         }
     };
-    open(root, key, exit);
+    open(entry.block, {ray.key, ray.exit});
     bool improved = false;
     while (depth > 0 && !found.given_up) {
         MetChildren& met = stack[depth - 1];
@@ -264,8 +277,8 @@ inline bool follow_ray(const WideScene& scene, SearchWorkspace& work, RayInEntry
             found.given_up = true;
             return improved;
         }
-        const float from = met.key[i], to = met.exit[i];
-        open(open_cell(scene, work, met.block, lane, last_level), from, to);
+        const Interval within{met.key[i], met.exit[i]};
+        open(open_cell(scene, work, met.block, lane, entry.last_level), within);
     }
     return improved;
 }

@@ -23,11 +23,12 @@ template <class V>
 struct AroundRays {
     Lanes3<V> u, v, w;
     Lanes3<V> origin, way;
+    V start;  // the depth at which they begin
 };
 
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE AroundRays<V> rays_around(D d, const CompiledEnclosure& cell, const RayPacket& packet,
-                                     const BesideAxis<V>& rays) {
+                                     const BesideAxis<V>& rays, V start) {
     const auto axis = [&](int i) HWY_ATTR {
         const glm::dvec3 turned = cell.inverse.direction(packet.axis[i]);
         return broadcast(d, &turned.x);
@@ -40,6 +41,7 @@ HWY_INLINE AroundRays<V> rays_around(D d, const CompiledEnclosure& cell, const R
     result.origin =
         add_scaled(add_scaled(broadcast(d, &from.x), rays.u0, result.u), rays.v0, result.v);
     result.way = add_scaled(add_scaled(result.w, rays.u1, result.u), rays.v1, result.v);
+    result.start = start;
     return result;
 }
 
@@ -103,12 +105,12 @@ struct EnclosingSums {
 
 /// Adds the normals of the rays that enter a cell behind their start.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE void add_around(D d, const CompiledEnclosure& cell, const AroundRays<V>& rays, V start,
+HWY_INLINE void add_around(D d, const CompiledEnclosure& cell, const AroundRays<V>& rays,
                            double weight, EnclosingSums<V>& sums) {
     const auto hit = cell.volume.kind == kernels::Volume::sphere
                          ? enter_ball(d, cell.volume, rays)
                          : enter_sides(d, cell.volume, rays);
-    const auto gives = hn::And(hit.met, hn::Lt(start, hit.depth));
+    const auto gives = hn::And(hit.met, hn::Lt(rays.start, hit.depth));
     // Normals go through the transpose of the inverse, and into the packet's frame.
     const Lanes3<V> seen{dot(hit.normal, rays.u), dot(hit.normal, rays.v), dot(hit.normal, rays.w)};
     const V scale = hn::Div(hn::Set(d, 1.0), hn::Sqrt(dot(seen, seen)));
@@ -133,7 +135,7 @@ inline void take_enclosing(const WideScene& scene, const WideObject& object,
         for (int at = object.enclosing; at >= 0;) {
             const CompiledEnclosure& cell = scene.enclosures[static_cast<std::size_t>(at)];
             const float weight = weights.of(static_cast<float>(cell.volume.diameter));
-            add_around(d, cell, rays_around(d, cell, packet, beside), start,
+            add_around(d, cell, rays_around(d, cell, packet, beside, start),
                        static_cast<double>(weight), sums);
             at = cell.enclosing;
         }

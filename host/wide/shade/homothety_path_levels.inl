@@ -35,14 +35,15 @@ inline ChildPlaces child_places(const WideScene& scene, Workspace& work, int obj
     return {set, &table, centers.row(0), centers.row(1), centers.row(2)};
 }
 
-/// The levels of a ray's own: where they are from the entry cell, and how large.
+/// The levels of a ray's own in the next lane: where they are from the entry cell, and how large.
 inline bool take_own_homotheties(const WideScene& scene, Workspace& work, const Path& path,
-                                 const Found& found, int lane, HitLanes& t) {
+                                 const Found& found, HitLanes& t) {
     if (path.shared + found.below_count > Path::capacity) return false;
+    const int lane = t.count;
     const HomothetyCell& start = work.homothety_cells[static_cast<std::size_t>(found.start)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(start.object)];
     HitWord& word = t.words[static_cast<std::size_t>(lane)];
-    word = {path.hash, path.color};
+    word = path.word;
     float x = 0, y = 0, z = 0, size = static_cast<float>(start.size);
     auto constant = static_cast<float>(start.constant);
     int set_index = start.set;
@@ -61,8 +62,7 @@ inline bool take_own_homotheties(const WideScene& scene, Workspace& work, const 
         t.diameter[k][lane] = constant * places.table->rows.row(HomothetyTable::diameter)[child];
         constant *= places.table->rows.row(HomothetyTable::constant)[child];
         const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
-        word.hash = hash_symbol(word.hash, static_cast<std::uint32_t>(set.maps[child]));
-        if (object.colored) blend(word.color, set.colors[child]);
+        append(word, set, child, object.colored);
         set_index = set.sets[child];
     }
     t.levels[lane] = path.shared + found.below_count;
@@ -111,8 +111,9 @@ struct BallLevels {
         const V one = hn::Set(d, hn::TFromD<D>(1));
         const V x = hn::Mul(hn::Sub(cell.x, hn::Add(u0, hn::Mul(u1, cell.z))), cell.inverse);
         const V y = hn::Mul(hn::Sub(cell.y, hn::Add(v0, hn::Mul(v1, cell.z))), cell.inverse);
-        const BallPass<V> pass(x, y, one, u1, v1, ray.shrink2);
-        const V half = pass.half(ray.shrink2);
+        const Slant<V> slant{u1, v1, ray.shrink2};
+        const BallPass<V> pass(x, y, one, slant);
+        const V half = pass.half(slant);
         const V key = hn::Sub(pass.ahead, half), exit = hn::Add(pass.ahead, half);
         const V at = side == PathSide::entry ? key : exit;
         return {hn::Add(cell.from_start, hn::Mul(key, cell.radius)),

@@ -18,9 +18,11 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Takes a ray into a lane: where it goes, and how p grows along it.
+/// Takes a ray into the next lane: where it goes, and how p grows along it.
 inline void take_ray(const WideScene& scene, const RayPacket& packet, const Path& path, int ray,
-                     int lane, HitLanes& t) {
+                     HitLanes& t) {
+    const int lane = t.count++;
+    t.rays[static_cast<std::size_t>(lane)] = ray;
     const auto growth = static_cast<double>(packet.pixel1[ray]);
     const double p = static_cast<double>(packet.pixel0[ray]) + growth * path.start_base;
     const auto start = static_cast<double>(packet.start[ray]);
@@ -34,11 +36,13 @@ inline void take_ray(const WideScene& scene, const RayPacket& packet, const Path
     t.pixel_growth[lane] = static_cast<float>(scene.detail * growth);
 }
 
-/// The levels of a ray's own: maps from the entry cell's unit coordinates to theirs.
+/// The levels of a ray's own in the next lane: maps from the entry cell's unit coordinates to
+/// theirs.
 inline bool take_own_maps(const WideScene& scene, const Workspace& work, const Path& path,
-                          const Found& found, int lane, HitLanes& t) {
+                          const Found& found, HitLanes& t) {
+    const int lane = t.count;
     HitWord& word = t.words[static_cast<std::size_t>(lane)];
-    word = {path.hash, path.color};
+    word = path.word;
     t.levels[lane] = path.shared;
     if (found.block < 0) return true;
     const Block* blocks = work.blocks.data();
@@ -57,11 +61,9 @@ inline bool take_own_maps(const WideScene& scene, const Workspace& work, const P
     }
     const bool colored = scene.objects[static_cast<std::size_t>(path.object)].colored;
     for (int k = 0; k < own; ++k) {
-        const auto [set_index, symbol] = children[static_cast<std::size_t>(k)];
-        const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
-        const auto at = static_cast<std::size_t>(symbol);
-        word.hash = hash_symbol(word.hash, static_cast<std::uint32_t>(set.maps[at]));
-        if (colored) blend(word.color, set.colors[at]);
+        const auto [set_index, own_child] = children[static_cast<std::size_t>(k)];
+        append(word, scene.sets[static_cast<std::size_t>(set_index)],
+               static_cast<std::size_t>(own_child), colored);
     }
     t.levels[lane] = path.shared + own;
     return true;

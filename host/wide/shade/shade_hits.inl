@@ -60,14 +60,30 @@ HWY_INLINE V level_diameter(D d, const Path& path, const HitLanes& t, int level,
     return hn::LoadU(d, t.diameter[level - path.shared] + lane);
 }
 
+/// What the cells of an object's paths count for, and which of them are terminal.
+struct PathRules {
+    PathWeights weights;
+    std::uint32_t last_level;  // cells of this level are terminal whatever their size
+    float pixel_least;         // detail * p is not less
+};
+
+/// What the cells around the objects give: the walks begin with it.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE EnclosingSums<V> sums_around(D d, const HitLanes& t, int lane) {
+    const auto around = [&](int i) HWY_ATTR {
+        return t.enclosed ? hn::LoadU(d, t.enclosing[i] + lane) : hn::Zero(d);
+    };
+    return {{around(0), around(1), around(2)}, {around(3), around(4), around(5)}, around(6)};
+}
+
 /// Walks the paths from the objects on. A walk is confirmed if the ray meets every cell within its
 /// parent's interval, and the last cell alone is terminal. Leaves the depths and total normals.
 template <int lanes>
-inline WalkedLanes walk_lanes(const Path& path, const PathWeights& weights,
-                              std::uint32_t last_level, float pixel_least, int most, HitLanes& t) {
+inline WalkedLanes walk_lanes(const Path& path, const PathRules& rules, int most, HitLanes& t) {
     const hn::CappedTag<float, lanes> d;
     const hn::RebindToSigned<decltype(d)> di;
     using V = hn::VFromD<decltype(d)>;
+    const PathWeights& weights = rules.weights;
     const V zero = hn::Zero(d), close = hn::Set(d, 0x1p-16F), one = hn::Set(d, 1.0F);
     WalkedLanes walked;
     for (int lane = 0; lane < t.count; lane += static_cast<int>(hn::Lanes(d))) {
@@ -76,12 +92,7 @@ inline WalkedLanes walk_lanes(const Path& path, const PathWeights& weights,
         const V pixel_growth = hn::LoadU(d, t.pixel_growth + lane);
         const auto levels = hn::LoadU(di, t.levels + lane);
         V key = start, exit = hn::Set(d, std::numeric_limits<float>::infinity());
-        const auto around = [&](int i) HWY_ATTR {
-            return t.enclosed ? hn::LoadU(d, t.enclosing[i] + lane) : zero;
-        };
-        Lanes3<V> weighted{around(0), around(1), around(2)};
-        Lanes3<V> plain{around(3), around(4), around(5)};
-        V total = around(6);
+        auto [weighted, plain, total] = sums_around(d, t, lane);
         auto confirmed = hn::FirstN(d, static_cast<std::size_t>(t.count - lane));
         auto unsure = hn::Lt(one, zero);
         auto entered = hn::Ne(dot(plain, plain), zero);
@@ -94,9 +105,9 @@ inline WalkedLanes walk_lanes(const Path& path, const PathWeights& weights,
             key = hn::IfThenElse(hn::And(on, hn::Lt(key, entry)), entry, key);
             exit = hn::IfThenElse(hn::And(on, hn::Lt(leaving, exit)), leaving, exit);
             const V diameter = level_diameter(d, path, t, level, lane);
-            const V p =
-                hn::Max(hn::Add(pixel_base, hn::Mul(pixel_growth, key)), hn::Set(d, pixel_least));
-            const bool last = static_cast<std::uint32_t>(level) == last_level;
+            const V p = hn::Max(hn::Add(pixel_base, hn::Mul(pixel_growth, key)),
+                                hn::Set(d, rules.pixel_least));
+            const bool last = static_cast<std::uint32_t>(level) == rules.last_level;
             const auto terminal = hn::Le(last ? zero : diameter, p);
             auto right = hn::And(hn::Le(zero, through), hn::Le(key, exit));
             right = hn::AndNot(hn::Xor(terminal, final), right);
@@ -126,11 +137,20 @@ inline WalkedLanes walk_lanes(const Path& path, const PathWeights& weights,
     return walked;
 }
 
-/// How much a ray's cells face a point light. `entered`: a cell gave a normal where the ray came
-/// in; otherwise the last one gives that where it goes out.
-inline float face_lamp(const WideScene& scene, Workspace& work, const Path& path,
-                       const PathWeights& weights, const CompiledLight& light, int lane,
-                       bool entered, const HitLanes& t) {
+/// A ray that has walked along its path.
+struct WalkedRay {
+    const Path& path;
+    const PathWeights& weights;
+    int lane;
+    bool entered;  // a cell gave a normal where the ray came in; otherwise the last one gives that
+                   // where it goes out
+};
+
+/// How much a ray's cells face a point light.
+inline float face_lamp(const WideScene& scene, Workspace& work, const WalkedRay& walked,
+                       const CompiledLight& light) {
+    const auto& [path, weights, lane, entered] = walked;
+    const HitLanes& t = work.hit_lanes;
     const int ray = t.rays[static_cast<std::size_t>(lane)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(path.object)];
     PointLightSum sum(work.packet, ray, to_frame(work.packet, light.place - work.packet.origin));
@@ -154,9 +174,10 @@ inline float face_lamp(const WideScene& scene, Workspace& work, const Path& path
 
 /// Fills in what a ray sees; the walk along its path is confirmed.
 template <class Levels>
-inline void put_hit(const WideScene& scene, Workspace& work, const Path& path,
-                    const PathWeights& weights, int lane, bool entered, HitLanes& t,
+inline void put_hit(const WideScene& scene, Workspace& work, const WalkedRay& walked,
                     ShadedHit& seen) {
+    const auto& [path, weights, lane, entered] = walked;
+    HitLanes& t = work.hit_lanes;
     glm::vec3 normal{t.normal[0][lane], t.normal[1][lane], t.normal[2][lane]};
     if (!entered) {
         leave_last_level<Levels>(path, lane, t);
@@ -167,13 +188,8 @@ inline void put_hit(const WideScene& scene, Workspace& work, const Path& path,
     }
     normal = to_scene(work.packet, normal);
     seen.normal = {normal.x, normal.y, normal.z};
-    seen.facing.resize(scene.lights.size());
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {  // Eq. 17.1
-        const CompiledLight& light = scene.lights[i];
-        seen.facing[i] = light.kind == kernels::LightKind::directional
-                             ? std::max(0.0F, glm::dot(normal, glm::vec3{light.place}))
-                             : face_lamp(scene, work, path, weights, light, lane, entered, t);
-    }
+    face_lights(scene, normal, seen,
+                [&](const CompiledLight& light) { return face_lamp(scene, work, walked, light); });
     const HitWord& word = t.words[static_cast<std::size_t>(lane)];
     seen.color = word.color;
     seen.word = finished_hash(word.hash);
@@ -184,8 +200,7 @@ inline void put_hit(const WideScene& scene, Workspace& work, const Path& path,
 
 /// Where the rays are in the cells of their paths, and what they find on the way.
 template <class Levels, int lanes>
-inline WalkedLanes walk_paths(const WideObject& object, const PathWeights& weights,
-                              float pixel_least, Path& path, HitLanes& t) {
+inline WalkedLanes walk_paths(const PathRules& rules, Path& path, HitLanes& t) {
     const int most = *std::max_element(t.levels, t.levels + t.count);
     meet_own_levels<Levels, lanes>(path, most - path.shared, t);
     while (true) {
@@ -194,8 +209,7 @@ inline WalkedLanes walk_paths(const WideObject& object, const PathWeights& weigh
         } else {
             meet_shared_levels<Levels, lanes>(path, path.rows, t);
         }
-        const WalkedLanes walked =
-            walk_lanes<lanes>(path, weights, object.levels, pixel_least, most, t);
+        const WalkedLanes walked = walk_lanes<lanes>(path, rules, most, t);
         if (path.deep || walked.unsure == 0) return walked;
         path.deep = true;
     }
@@ -211,18 +225,19 @@ inline std::uint64_t shade_below(const WideScene& scene, Workspace& work, Path& 
     t.enclosed = object.enclosing >= 0;
     const float outermost =
         t.enclosed ? static_cast<float>(object.widest) : path.rows[0][Path::diameter];
-    const PathWeights weights{scene.shading, outermost};
-    const auto least = static_cast<float>(scene.detail * object.smallest_pixel);
-    if (t.enclosed) take_enclosing(scene, object, work.packet, weights, t);
-    const WalkedLanes walked =
-        t.count <= few ? walk_paths<Levels, few>(object, weights, least, path, t)
-                       : walk_paths<Levels, HitLanes::most_lanes>(object, weights, least, path, t);
+    const PathRules rules{{scene.shading, outermost},
+                          object.levels,
+                          static_cast<float>(scene.detail * object.smallest_pixel)};
+    if (t.enclosed) take_enclosing(scene, object, work.packet, rules.weights, t);
+    const WalkedLanes walked = t.count <= few
+                                   ? walk_paths<Levels, few>(rules, path, t)
+                                   : walk_paths<Levels, HitLanes::most_lanes>(rules, path, t);
     std::uint64_t confirmed = 0;
     for (int lane = 0; lane < t.count; ++lane) {
         if ((walked.confirmed >> lane & 1) == 0) continue;
         const int ray = t.rays[static_cast<std::size_t>(lane)];
         const bool entered = (walked.entered >> lane & 1) != 0;
-        put_hit<Levels>(scene, work, path, weights, lane, entered, t, *seen[ray]);
+        put_hit<Levels>(scene, work, {path, rules.weights, lane, entered}, *seen[ray]);
         confirmed |= std::uint64_t{1} << ray;
     }
     return confirmed;
@@ -250,7 +265,7 @@ inline std::uint64_t shade_path(const WideScene& scene, Workspace& work, Path& p
     const hn::CappedTag<float, HitLanes::most_lanes> d;
     const auto most = static_cast<int>(hn::Lanes(d));
     HitLanes& t = work.hit_lanes;
-    const bool fixed = path.kind == Path::Kind::balls || path.kind == Path::Kind::boxes;
+    const bool of_homotheties = path.kind == Path::Kind::balls || path.kind == Path::Kind::boxes;
     std::uint64_t confirmed = 0;
     std::uint64_t rays = path.rays;
     while (rays != 0) {
@@ -258,11 +273,9 @@ inline std::uint64_t shade_path(const WideScene& scene, Workspace& work, Path& p
         for (; rays != 0 && t.count < most; rays &= rays - 1) {
             const int ray = std::countr_zero(rays);
             const Found& found = work.found[static_cast<std::size_t>(ray)];
-            const bool taken = fixed ? take_own_homotheties(scene, work, path, found, t.count, t)
-                                     : take_own_maps(scene, work, path, found, t.count, t);
-            if (!taken) continue;
-            take_ray(scene, work.packet, path, ray, t.count, t);
-            t.rays[static_cast<std::size_t>(t.count++)] = ray;
+            const bool taken = of_homotheties ? take_own_homotheties(scene, work, path, found, t)
+                                              : take_own_maps(scene, work, path, found, t);
+            if (taken) take_ray(scene, work.packet, path, ray, t);
         }
         if (t.count > 0) confirmed |= shade_kind(scene, work, path, seen);
     }
@@ -276,9 +289,9 @@ inline std::uint64_t shade(const WideScene& scene, Workspace& work, std::uint64_
                            ShadedHit* const* seen) {
     for (; rays != 0; rays &= rays - 1) {
         const Found& found = work.found[static_cast<std::size_t>(std::countr_zero(rays))];
-        const bool fixed = found.below_count >= 0;
-        Path* path = fixed ? path_of_homotheties(scene, work, found.start)
-                           : path_of(scene, work, found.start);
+        const bool of_homotheties = found.below_count >= 0;
+        Path* path = of_homotheties ? path_of<HomothetyCells>(scene, work, found.start)
+                                    : path_of<MapCells>(scene, work, found.start);
         if (path == nullptr) continue;
         path->rays |= rays & (~rays + 1);
     }

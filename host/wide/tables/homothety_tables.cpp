@@ -164,21 +164,6 @@ void tabulate(WideScene& scene, int index) {
     }
 }
 
-/// The fixed points of the maps, if the attractor is inside of their hull, and the hull a cull.
-std::vector<glm::dvec3> hull_points(const WideScene& scene, const WideObject& object) {
-    constexpr double outside = 1 + rounding;
-    const WideSet& set = scene.sets[static_cast<std::size_t>(object.set)];
-    const bool alone = std::ranges::all_of(set.sets, [&](int s) { return s == object.set; });
-    if (!object.spheres || !alone || object.levels != kernels::unlimited_levels) return {};
-    std::vector<glm::dvec3> points;
-    for (const Step& step : steps_of(scene, object.set)) {
-        points.push_back(step.center / (1 - step.scale));
-        if (glm::length(points.back()) > outside) return {};  // a ball that bounds nothing
-    }
-    if (points.size() > WideObject::most_hull_points) return {};
-    return points;
-}
-
 /// Numbers the ways in which objects with balls are turned. Where there are too many, what is
 /// turned otherwise is no object of homotheties any more.
 void find_turns(WideScene& scene) {
@@ -271,7 +256,6 @@ void tabulate_homotheties(WideScene& scene) {
     }
     for (WideObject& object : scene.objects) {
         if (!object.of_homotheties) continue;
-        object.hull = hull_points(scene, object);
         std::vector<bool> seen(scene.sets.size(), false);
         object.grid = !object.spheres && find_grids(scene, object.set, seen);
         if (!object.grid && has_many_children(scene, object.set)) object.of_homotheties = false;

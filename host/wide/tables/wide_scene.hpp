@@ -132,10 +132,6 @@ struct WideObject {
     bool of_homotheties = false;
     bool grid = false;  // and all its sets have their children in slices
     int turn = 0;       // of such an object with balls, in WideScene::turns
-    /// Corners of the attractor's hull in unit coordinates, if it serves as a cull
-    /// (host/wide/search/silhouette_cull.inl).
-    static constexpr std::size_t most_hull_points = 32;
-    std::vector<glm::dvec3> hull;
     std::array<float, 3> color{};
     float diffuse = 0;
     float reflect = 0;

@@ -121,7 +121,7 @@ void TileTracer::render_area() {
 
 void TileTracer::aim_beams() {
     place_ = scene_.samples[0];
-    aim_at_tile(work_.packet, scene_.camera, frame_->crop, left_, top_, place_);
+    aim_at_tile(work_.packet, scene_.camera, frame_->crop, {left_, top_}, place_);
     TileView& view = beams_->view = view_of(scene_.camera, left_, top_);
     view.low_x = view.low_y = std::numeric_limits<double>::infinity();
     view.high_x = view.high_y = -view.low_x;

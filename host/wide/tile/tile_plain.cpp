@@ -9,7 +9,7 @@ namespace pxm::host::wide {
 
 void TileTracer::render_plainly() {
     place_ = scene_.samples[0];
-    aim_at_tile(work_.packet, scene_.camera, frame_->crop, left_, top_, place_);
+    aim_at_tile(work_.packet, scene_.camera, frame_->crop, {left_, top_}, place_);
     const std::uint64_t inside = work_.packet.inside;  // shadows are a packet of their own
     const auto objects = static_cast<std::uint32_t>(wide_.objects.size());
     if (!search_packet(wide_, work_)) {

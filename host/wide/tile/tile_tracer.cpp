@@ -60,7 +60,7 @@ void TileTracer::render(Frame& frame, long left, long top, const GoOn& go_on) {
 
 void TileTracer::aim(std::size_t sample) {
     place_ = scene_.samples[sample];
-    aim_at_tile(work_.packet, scene_.camera, frame_->crop, left_, top_, place_);
+    aim_at_tile(work_.packet, scene_.camera, frame_->crop, {left_, top_}, place_);
     work_.packet.inside &= ~unclear_;
     const double share = 1.0 / static_cast<double>(scene_.samples.size());
     for_bits(work_.packet.inside, [&](int pixel) {
@@ -248,7 +248,7 @@ void TileTracer::see_plane(Kind kind, int i) {
 }
 
 void TileTracer::store() {
-    aim_at_tile(work_.packet, scene_.camera, frame_->crop, left_, top_, scene_.samples[0]);
+    aim_at_tile(work_.packet, scene_.camera, frame_->crop, {left_, top_}, scene_.samples[0]);
     for_bits(work_.packet.inside, [&](int i) {
         const PixelSum& sum = sums_[static_cast<std::size_t>(i)];
         if ((unclear_ >> i & 1) != 0) return render_clearly(i, sum.tested);

@@ -28,7 +28,7 @@ TEST_P(TinyPixels, do_not_fill_the_memory_with_shared_cells) {
     const WideScene wide = make_wide_scene(scene);
     SearchWorkspace work;
     work.scratch = hwy::AllocateAligned<double>(std::size_t{table_step} * 32);
-    aim_at_tile(work.packet, scene.camera, scene.crop, 0, 0, {0.5, 0.5});
+    aim_at_tile(work.packet, scene.camera, scene.crop, {0, 0}, {0.5, 0.5});
     ASSERT_TRUE(search_packet(wide, work));
     EXPECT_LE(work.cells.size() + work.homothety_cells.size(), most_shared_cells + most_maps);
     EXPECT_GT(std::ranges::count_if(work.found, &Found::given_up), 0);

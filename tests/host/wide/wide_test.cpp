@@ -49,8 +49,8 @@ TEST_P(Wide, is_the_same_on_every_kind_of_register_and_for_any_number_of_threads
     }
 }
 
-/// The shadow of the hull is culled by, and the terminal balls stand out of it by half a pixel.
-TEST(WideHullShadow, hides_no_ball) {
+/// The terminal balls stand out of the attractor's hull by half a pixel, and are seen there too.
+TEST(WideBalls, are_seen_beside_the_hull) {
     for (const char* system : {"tetra", "octo"}) {
         const CompiledScene scene =
             compile_text(scene_of(system, "volume: sphere", "size: 280,210"));

@@ -77,7 +77,7 @@ TEST(RayPacket, a_tile_has_the_eye_rays_of_its_pixels_inside_the_window) {
     const auto packet = std::make_unique<RayPacket>();
     const glm::dvec2 place{0.25, 0.75};
     for (const auto& [left, top] : {std::pair<long, long>{8, 0}, {16, 16}, {96, 88}}) {
-        aim_at_tile(*packet, camera, window, left, top, place);
+        aim_at_tile(*packet, camera, window, {left, top}, place);
         for (int ray = 0; ray < packet_rays; ++ray) {
             const long x = left + ray % 8, y = top + ray / 8;
             const bool wanted = x >= 10 && x < 100 && y >= 3 && y < 90;

@@ -155,7 +155,7 @@ TEST(CandidateView, of_a_part_of_the_picture_holds_all_its_rays) {
         std::set<std::uint64_t> views;
         for (long top = 0; top < compiled.size.rows; top += tile_side) {
             for (long left = 0; left < compiled.size.columns; left += tile_side) {
-                aim_at_tile(packet, camera, compiled.crop, left, top, {0.5, 0.5});
+                aim_at_tile(packet, camera, compiled.crop, {left, top}, {0.5, 0.5});
                 const CandidateView& candidate_view =
                     candidate_view_of(scene, packet, candidate_views);
                 views.insert(candidate_view.number);
@@ -187,7 +187,7 @@ TEST(CandidateView, of_a_very_wide_view_is_each_bundles_own) {
         compile_text(scene_of("tetra", "volume: sphere", "size: 40,40") + camera);
     std::vector<CandidateView> candidate_views;
     RayPacket packet;
-    aim_at_tile(packet, scene.camera, scene.crop, 0, 0, {0.5, 0.5});
+    aim_at_tile(packet, scene.camera, scene.crop, {0, 0}, {0.5, 0.5});
     EXPECT_FALSE(candidate_view_of(make_wide_scene(scene), packet, candidate_views).view.shared);
     const Verdict verdict = judge(scene, run_wide(scene, {}, {}).frame, Numeric::double_);
     EXPECT_EQ(verdict.admissible, verdict.pixels) << verdict.report;
