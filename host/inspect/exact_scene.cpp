@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <variant>
 
@@ -194,6 +195,22 @@ class CommandReader {
     exact::NumberField& field_;
 };
 
+/// All rotations by whole degrees share one field.
+void expect_turns(const IfsBlock& block, exact::NumberField& field) {
+    constexpr long full_turn = 360, quarters = 4;
+    long order = 1;
+    for (const MapBlock& map : block.maps)
+        for (const Command& command : map.commands) {
+            const auto* rotate = std::get_if<RotateCommand>(&command.kind);
+            if (rotate == nullptr || std::abs(rotate->degrees) > full_turn) continue;
+            const long degrees = std::lround(rotate->degrees);
+            if (static_cast<double>(degrees) != rotate->degrees) continue;
+            const long turns = full_turn / std::gcd(full_turn, degrees);
+            order = std::lcm(order, std::lcm(turns, quarters));
+        }
+    field.expect_turns(order);
+}
+
 }  // namespace
 
 exact::WrittenMaps written_maps(const Scene& scene, const IfsBlock& block) {
@@ -206,6 +223,7 @@ exact::WrittenMaps written_maps(const Scene& scene, const IfsBlock& block) {
         return written;
     }
     ExactExpressions expressions(scene);
+    expect_turns(block, expressions.field());
     CommandReader reader(scene, expressions);
     try {
         for (const MapBlock& map : block.maps) written.maps.push_back(reader.map(map));

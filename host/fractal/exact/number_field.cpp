@@ -9,16 +9,17 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
+#include <numeric>
 
 namespace pxm::host::exact {
 
 namespace {
 
-constexpr long largest_degree = 16;             // of the whole field over the rationals
-constexpr long bits = 6'800;                    // of balls: 2,000 digits and more
-constexpr long most_shifts = 40;                // primitive elements tried
-constexpr unsigned long largest_order = 1'000;  // of a turn whose cosine is looked for
+constexpr long largest_degree = 12;  // of the whole field over the rationals
+constexpr long largest_norm = 36;    // degree of what is factored for one more number
+constexpr long bits = 6'800;         // of balls: 2,000 digits and more
+constexpr long most_shifts = 40;     // primitive elements tried
+constexpr long largest_order = 720;  // of a turn whose cosine is looked for
 
 class Real {
   public:
@@ -205,6 +206,8 @@ Polynomial made_whole(const Polynomial& p, const Polynomial& c) {
 
 struct NumberField::Inside {
     std::vector<Stage> stages;
+    long order = 1;  // turns by multiples of 1/order have their cosines in the field
+    Algebraic cosine{0, Polynomial(1)};  // of the smallest of them
 
     [[nodiscard]] const Stage& now() const { return stages.back(); }
     [[nodiscard]] Algebraic element(const Polynomial& p) const {
@@ -221,6 +224,18 @@ struct NumberField::Inside {
         return value_at(lift(a), now().generator);
     }
 
+    /// Of k times the smallest turn: T_k of its cosine.
+    [[nodiscard]] Algebraic cosine_of(long k) const {
+        const Polynomial x = lift(cosine);
+        Polynomial before(1), value = k == 0 ? before : x;
+        for (long i = 1; i < k; ++i) {
+            const Polynomial next = remainder(x * value + x * value - before, now().modulus);
+            before = value;
+            value = next;
+        }
+        return element(value);
+    }
+
     /// The root of g, a polynomial over the field of now, that lies in `ball` [Trager76].
     Algebraic adjoin(const Over& g, const Real& ball);
     Algebraic grow(const Over& g, const Real& ball, long shift, const Polynomial& minimal);
@@ -228,6 +243,8 @@ struct NumberField::Inside {
 
 Algebraic NumberField::Inside::adjoin(const Over& g, const Real& ball) {
     const Stage stage = now();
+    if (stage.modulus.degree() * (static_cast<long>(g.size()) - 1) > largest_norm)
+        throw NotExact{"the number field is too large"};
     for (long shift = 0; shift < most_shifts; ++shift) {
         const Polynomial product = norm(stage.modulus, g, shift);
         if (!is_squarefree(product)) continue;
@@ -353,24 +370,34 @@ Algebraic NumberField::cosine(const Algebraic& degrees) {
     fmpz_set_ui(all.get(), full_turn);
     fmpq_div_fmpz(turns.get(), turns.get(), all.get());
     const fmpz* order = fmpq_denref(turns.get());
-    if (fmpz_cmp_ui(order, largest_order) > 0) throw NotExact{"the number field is too large"};
-    Real ball;
-    Fraction twice;
-    fmpq_add(twice.get(), turns.get(), turns.get());
-    arb_cos_pi_fmpq(ball.get(), twice.get(), bits);
+    if (fmpz_cmp_si(order, largest_order) > 0) throw NotExact{"the number field is too large"};
+    expect_turns(fmpz_get_si(order));
+    fmpz_set_si(all.get(), inside_->order);
+    fmpq_mul_fmpz(turns.get(), turns.get(), all.get());
+    fmpz_fdiv_r(fmpq_numref(turns.get()), fmpq_numref(turns.get()), all.get());
+    return inside_->cosine_of(fmpz_get_si(fmpq_numref(turns.get())));
+}
+
+void NumberField::expect_turns(long order) {
+    const long together = std::lcm(order, inside_->order);
+    if (together == inside_->order) return;
+    if (together > largest_order) throw NotExact{"the number field is too large"};
+    // That of cos(2 pi / n); the other turns' are Chebyshev's polynomials in it.
     fmpz_poly_t minimal;
     fmpz_poly_init(minimal);
-    // That of cos(2 pi / n): all turns of one order are conjugate, and the ball tells them apart.
-    arith_cos_minpoly(minimal, fmpz_get_ui(order));
+    arith_cos_minpoly(minimal, static_cast<ulong>(together));
     Over g;
-    for (long i = 0; i < fmpz_poly_length(minimal); ++i) {
-        Polynomial& c = g.emplace_back();
-        fmpq_poly_set_fmpz(c.get(), minimal->coeffs + i);
-    }
+    for (long i = 0; i < fmpz_poly_length(minimal); ++i)
+        fmpq_poly_set_fmpz(g.emplace_back().get(), minimal->coeffs + i);
     fmpz_poly_clear(minimal);
     if (static_cast<long>(g.size()) - 1 > largest_degree)
         throw NotExact{"the number field is too large"};
-    return inside_->adjoin(g, ball);
+    Real ball;
+    Fraction twice;
+    fmpq_set_si(twice.get(), 2, static_cast<ulong>(together));
+    arb_cos_pi_fmpq(ball.get(), twice.get(), bits);
+    inside_->cosine = inside_->adjoin(g, ball);
+    inside_->order = together;
 }
 
 Algebraic NumberField::sine(const Algebraic& degrees) {

@@ -44,6 +44,9 @@ class NumberField {
     /// Of rational degrees; throws NotExact for others.
     [[nodiscard]] Algebraic cosine(const Algebraic& degrees);
     [[nodiscard]] Algebraic sine(const Algebraic& degrees);
+    /// Takes cosines of turns by multiples of 1/order into the field: cheaper at once than one
+    /// after the other. Throws NotExact.
+    void expect_turns(long order);
     /// The root of a polynomial with rational coefficients that lies between two numbers between
     /// which no other root lies. Throws NotExact if there is no such root.
     [[nodiscard]] Algebraic root(const Polynomial& of, double low, double high);

@@ -12,9 +12,8 @@ namespace pxm::host {
 
 namespace {
 
-constexpr double margin = 1e-6;         // of a ball's radius, for all rounding
-constexpr double most_error = 1e-9;     // of a candidate's entries, before it is not trusted
-constexpr std::size_t exact_cost = 10;  // of a step in exact numbers, in steps
+constexpr double margin = 1e-6;      // of a ball's radius, for all rounding
+constexpr double most_error = 1e-9;  // of a candidate's entries, before it is not trusted
 constexpr int widest = 3;
 
 using Rounded = exact::ExactMap::Rounded;
@@ -91,6 +90,10 @@ class Search {
            const NeighbourLimits& limits)
         : system_(system), rifs_(rifs), limits_(limits), n_(system.field.dimensions) {
         for (const Bounds& b : bounds) add_ball(b.ball);
+        // Of two products in exact numbers, in steps, as it was measured.
+        constexpr std::size_t fixed = 20, products = 8;
+        const auto degree = static_cast<std::size_t>(system.field.degree);
+        exact_cost_ = fixed + products * degree * degree;
         identity_ = exact::ExactMap::identity(system.field);
         for (std::size_t m = 0; m < system.maps.size(); ++m) {
             forward_.push_back(approximate(system.maps[m], system.field));
@@ -197,7 +200,7 @@ class Search {
         Approximate child = j < 0 ? h : composed(h, forward_[static_cast<std::size_t>(j)], n_);
         if (i >= 0) child = composed(backward_[static_cast<std::size_t>(i)], child, n_);
         if (child.error < most_error && apart(s1, s2, child)) return;
-        steps_ += exact_cost * static_cast<std::size_t>(system_.field.degree);
+        steps_ += exact_cost_;
         exact::ExactMap exact_child = map;
         if (j >= 0)
             exact_child = exact::ExactMap::composed(system_.field, exact_child,
@@ -273,6 +276,7 @@ class Search {
     NeighbourGraph graph_;
     std::unordered_map<std::size_t, std::vector<int>> by_key_;
     std::size_t steps_ = 0;
+    std::size_t exact_cost_ = 0;
     std::string why_;
 };
 

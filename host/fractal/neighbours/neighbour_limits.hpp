@@ -8,7 +8,7 @@ namespace pxm::host {
 /// Counts, not times: the same system gives the same result.
 struct NeighbourLimits {
     std::size_t types = 10'000;
-    std::size_t steps = 3'000'000;  // candidates looked at; one in exact numbers counts tenfold
+    std::size_t steps = 10'000'000;  // pairs of cells compared; more for one in exact numbers
 };
 
 }  // namespace pxm::host
