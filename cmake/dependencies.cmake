@@ -53,3 +53,20 @@ if(NOT PXM_RANDOM123)
 endif()
 list(APPEND PXM_LIBRARIES Random123)
 list(APPEND PXM_LIBRARY_PACKAGES Random123)
+
+# needs_header(NAME PACKAGE HEADER): a library without a find module, and its version from the header.
+# FLINT has rationals, polynomials and their factors; Arb has balls of certified radius (host/fractal/exact/).
+macro(needs_header name package header)
+    find_path(PXM_${name} ${header})
+    if(NOT PXM_${name})
+        missing(${name} ${package})
+    endif()
+    string(TOUPPER ${name} upper)
+    file(STRINGS ${PXM_${name}}/${header} line REGEX "define ${upper}_VERSION \"")
+    string(REGEX REPLACE ".*\"([0-9.]+)\".*" "\\1" ${name}_VERSION "${line}")
+    list(APPEND PXM_LIBRARIES ${name})
+    list(APPEND PXM_LIBRARY_PACKAGES ${name})
+endmacro()
+
+needs_header(FLINT libflint-dev flint/flint.h)
+needs_header(Arb libflint-arb-dev arb.h)

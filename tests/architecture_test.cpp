@@ -53,6 +53,7 @@ const Rule library_rules[] = {
     {R"(#include\s*<hwy/)", "host/wide/.*", "Highway"},
     {R"(#include\s*<boost/multiprecision/)",
      "host/(math/precise\\.cpp|import/lsystem/long_number\\.hpp)", "Boost.Multiprecision"},
+    {R"(#include\s*<(flint/|arb|antic/))", "host/fractal/exact/.*", "FLINT"},
     {R"(#include\s*<boost/(asio|beast)/)", "host/studio/http_server\\.cpp", "Boost.Beast"},
     {R"(#include\s*<pybind11/)", "python/module/.*", "pybind11"},
 };
@@ -83,7 +84,7 @@ const Floors all_floors[] = {
       {"study"},
       {"studio"},
       {"commands"}}},
-    {"host/fractal/", {{"system"}, {"bounds"}, {"dimension", "measure"}}},
+    {"host/fractal/", {{"system"}, {"exact"}, {"bounds"}, {"dimension", "measure", "neighbours"}}},
     {"host/wide/", {{"packet"}, {"tables"}, {"search"}, {"shade"}, {"area"}, {"tile"}}},
 };
 

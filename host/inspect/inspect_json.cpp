@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "host/inspect/exact_json.hpp"
 #include "host/inspect/inspect_names.hpp"
 #include "host/output/program_json.hpp"
 #include "host/text/json_text.hpp"
@@ -174,6 +175,7 @@ Json ifs_json(const IfsFacts& ifs) {
     const auto& disconnected = ifs.disconnected.totally_disconnected;
     json["totally_disconnected"] = disconnected ? Json(*disconnected) : Json(nullptr);
     json["totally_disconnected_why"] = ifs.disconnected.why;
+    add_exact_json(ifs, json);
     return json;
 }
 

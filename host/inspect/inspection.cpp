@@ -10,6 +10,7 @@
 #include "host/fractal/bounds/affine_hull.hpp"
 #include "host/fractal/bounds/inner_points.hpp"
 #include "host/fractal/system/rifs.hpp"
+#include "host/inspect/exact_facts.hpp"
 #include "host/process/granted_threads.hpp"
 #include "host/scene/default_objects.hpp"
 
@@ -87,7 +88,8 @@ ObjectFacts inspect_object(const ObjectBlock& object, const Scene& scene,
 
 }  // namespace
 
-std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnostics) {
+std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnostics,
+                                    const Scene* scene, const NeighbourLimits& limits) {
     auto proven = prove_rifs(block, diagnostics);
     if (!proven) return std::nullopt;
     IfsFacts facts;
@@ -112,19 +114,23 @@ std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnost
     const bool as_given = plain.maps == part.maps;
     facts.open_set =
         decide_open_set(plain, bounds, as_given ? MapNumbers::given : MapNumbers::computed);
+    add_exact_facts(block, scene, part, bounds, limits, facts);
     facts.dimensions = dimensions(plain, facts.open_set.condition);
     facts.dimensions.box_counting = count_boxes(plain, bounds, granted_threads().threads);
     facts.disconnected = decide_disconnected(plain, bounds, facts.dimensions.upper);
+    add_exact_topology(facts);
     add_topology(facts.dimensions, facts.disconnected.totally_disconnected);
     return facts;
 }
 
-Inspection inspect(const Scene& scene, const std::string& path, Diagnostics& diagnostics) {
+Inspection inspect(const Scene& scene, const std::string& path, Diagnostics& diagnostics,
+                   const NeighbourLimits& limits) {
     Inspection inspection;
     inspection.scene = path;
     Diagnostics found;
     for (const IfsBlock& block : scene.ifs) {
-        if (auto facts = inspect_ifs(block, found)) inspection.ifs.push_back(std::move(*facts));
+        if (auto facts = inspect_ifs(block, found, &scene, limits))
+            inspection.ifs.push_back(std::move(*facts));
     }
     if (found.has_errors()) {
         diagnostics.append(found);

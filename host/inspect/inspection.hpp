@@ -12,6 +12,7 @@
 #include "host/fractal/dimension/dimension.hpp"
 #include "host/fractal/dimension/disconnected.hpp"
 #include "host/fractal/dimension/open_set.hpp"
+#include "host/fractal/neighbours/exact_findings.hpp"
 #include "host/fractal/system/contraction.hpp"
 #include "host/fractal/system/graph_facts.hpp"
 #include "host/fractal/system/word_lipschitz.hpp"
@@ -32,15 +33,17 @@ struct MapFacts {
 };
 /// What is known of one system.
 struct IfsFacts {
-    Rifs rifs;                         // its maps and its graph
-    std::vector<MapFacts> maps;        // one of each map of `rifs`
-    Contraction contraction;           // how it shrinks, and by what proof
-    GraphFacts graph;                  // which maps lead to which
-    std::vector<WordLipschitz> words;  // how far bounds of words are off
-    std::vector<Bounds> bounds;        // per follow set of `rifs`
-    Dimensions dimensions;             // of its attractor
-    OpenSetFinding open_set;           // whether it satisfies that condition
-    DisconnectedFinding disconnected;  // whether its attractor is
+    Rifs rifs;                             // its maps and its graph
+    std::vector<MapFacts> maps;            // one of each map of `rifs`
+    Contraction contraction;               // how it shrinks, and by what proof
+    GraphFacts graph;                      // which maps lead to which
+    std::vector<WordLipschitz> words;      // how far bounds of words are off
+    std::vector<Bounds> bounds;            // per follow set of `rifs`
+    Dimensions dimensions;                 // of its attractor
+    OpenSetFinding open_set;               // whether it satisfies that condition
+    DisconnectedFinding disconnected;      // whether its attractor is
+    ExactFindings exact;                   // what is decided in the scene's very numbers
+    std::vector<std::string> exact_names;  // of the maps that its numbers stand for
 };
 
 /// The bounding volume of an object, as declared and as used.
@@ -61,11 +64,14 @@ struct Inspection {
 };
 
 /// What is known of one system. Errors, as compile() would find, go to `diagnostics`; then nothing.
-[[nodiscard]] std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnostics);
+/// With the scene that the block is of, its text is read for exact numbers.
+[[nodiscard]] std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnostics,
+                                                  const Scene* scene = nullptr,
+                                                  const NeighbourLimits& limits = {});
 
 /// Inspects a scene that check_scene found right; it may ask for what cannot be rendered yet. The
 /// result is usable only if no error was added.
 [[nodiscard]] Inspection inspect(const Scene& scene, const std::string& path,
-                                 Diagnostics& diagnostics);
+                                 Diagnostics& diagnostics, const NeighbourLimits& limits = {});
 
 }  // namespace pxm::host

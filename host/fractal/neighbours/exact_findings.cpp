@@ -1,0 +1,343 @@
+#include "host/fractal/neighbours/exact_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "host/fractal/exact/exact_system.hpp"
+#include "host/fractal/neighbours/distinct_words.hpp"
+#include "host/fractal/neighbours/graph_growth.hpp"
+#include "host/fractal/neighbours/neighbour_graph.hpp"
+#include "host/fractal/system/graph_facts.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr std::size_t most_states = 100'000;  // of words without duplicates
+
+class Findings {
+  public:
+    Findings(const exact::ExactSystem& system, const Rifs& rifs, const std::vector<Bounds>& bounds,
+             const NeighbourLimits& limits)
+        : system_(system),
+          rifs_(rifs),
+          whole_(rifs.follow_sets.size() == 1),
+          strong_(graph_facts(rifs).strongly_connected),
+          graph_(neighbour_graph(system, rifs, bounds, limits)) {}
+
+    ExactFindings run() {
+        describe_numbers();
+        if (system_.field.dimensions == 0) {
+            point();
+            return std::move(found_);
+        }
+        add_graph();
+        add_overlaps();
+        add_open_set();
+        add_connected();
+        add_hausdorff();
+        add_interior();
+        add_boundary();
+        return std::move(found_);
+    }
+
+  private:
+    void describe_numbers() {
+        found_.degree = system_.field.degree;
+        found_.dimensions = system_.field.dimensions;
+        found_.numbers =
+            found_.degree == 1
+                ? "rational, as written"
+                : fmt::format("of a number field of degree {}, as written", found_.degree);
+    }
+
+    void point() {
+        const std::string why = "the attractor is one point";
+        found_.finite = {std::nullopt, why};
+        found_.overlaps = {std::nullopt, why};
+        found_.open_set = {std::nullopt, why};
+        found_.connected = {true, why};
+        found_.totally_disconnected = {true, why};
+        found_.hausdorff = {0.0, why};
+        found_.boundary = {std::nullopt, why};
+        found_.interior = {std::nullopt, why};
+        found_.volume = {std::nullopt, why};
+    }
+
+    [[nodiscard]] bool finite() const { return found_.finite.value.value_or(false); }
+
+    void add_graph() {
+        found_.finite = {graph_.finite, graph_.why};
+        if (!finite()) return;
+        for (const NeighbourType& type : graph_.types) {
+            if (!type.touches) continue;
+            ++found_.types;
+            if (!type.identity) ++found_.touching;
+        }
+        found_.finite.why = fmt::format("closed under descent: {} types that touch", found_.types);
+        std::set<std::array<int, 2>> pairs;
+        for (const NeighbourEdge& e : graph_.own[static_cast<std::size_t>(rifs_.start)])
+            pairs.insert({std::min(e.first, e.second), std::max(e.first, e.second)});
+        found_.touching_maps.assign(pairs.begin(), pairs.end());
+    }
+
+    void add_overlaps() {
+        const auto same = std::ranges::find_if(graph_.types, &NeighbourType::identity);
+        if (same != graph_.types.end()) {
+            const WordPair words =
+                words_of(graph_, static_cast<std::size_t>(same - graph_.types.begin()));
+            found_.overlapping_words = {words.first, words.second};
+            found_.overlaps = {true, "two words are the same map, in exact numbers"};
+        } else if (finite()) {
+            found_.overlaps = {false, "no neighbour map is the identity, in exact numbers"};
+        } else {
+            found_.overlaps = {std::nullopt, unfinished()};
+        }
+    }
+
+    [[nodiscard]] std::string unfinished() const { return "the neighbours are " + missing(); }
+    [[nodiscard]] std::string missing() const {
+        return graph_.finite ? graph_.why : "not searched: " + graph_.why;
+    }
+
+    [[nodiscard]] bool similar() const { return !system_.squared_ratio.empty(); }
+
+    void add_open_set() {
+        if (found_.overlaps.value.value_or(false)) {
+            if (whole_ || strong_) {
+                found_.open_set = {false, "two words are the same map, in exact numbers [BG92]"};
+            } else {
+                found_.open_set = {std::nullopt,
+                                   "two words are the same map, but the graph is not strongly "
+                                   "connected"};
+            }
+        } else if (!finite()) {
+            found_.open_set = {std::nullopt, unfinished()};
+        } else if (!similar()) {
+            found_.open_set = {std::nullopt, "not every map is a similitude"};
+        } else if (mixed_identity()) {
+            found_.open_set = {std::nullopt, "pieces of different kinds coincide in place"};
+        } else {
+            found_.open_set = {true,
+                               fmt::format("{} neighbours, none of them the identity, in exact "
+                                           "numbers [BG92] [DE05]",
+                                           found_.touching)};
+        }
+    }
+
+    /// Whether different follow sets lie against each other by no map.
+    [[nodiscard]] bool mixed_identity() const {
+        const exact::ExactMap identity = exact::ExactMap::identity(system_.field);
+        return std::ranges::any_of(graph_.types, [&](const NeighbourType& type) {
+            return type.touches && type.map == identity;
+        });
+    }
+
+    /// Whether the images of a follow set's maps hang together by common points.
+    [[nodiscard]] bool hangs_together(std::size_t set) const {
+        const std::vector<int>& maps = rifs_.follow_sets[set].maps;
+        std::vector<int> leader(rifs_.maps.size());
+        std::iota(leader.begin(), leader.end(), 0);
+        const auto find = [&](int m) {
+            while (leader[static_cast<std::size_t>(m)] != m)
+                m = leader[static_cast<std::size_t>(m)];
+            return m;
+        };
+        for (const NeighbourEdge& e : graph_.own[set])
+            leader[static_cast<std::size_t>(find(e.first))] = find(e.second);
+        return std::ranges::all_of(maps, [&](int m) { return find(m) == find(maps[0]); });
+    }
+
+    void add_connected() {
+        if (!finite()) {
+            found_.connected = {std::nullopt, unfinished()};
+            found_.totally_disconnected = {std::nullopt, unfinished()};
+            return;
+        }
+        bool all = true, none = true;
+        for (std::size_t s = 0; s < graph_.own.size(); ++s) {
+            all = all && hangs_together(s);
+            none = none && graph_.own[s].empty();
+        }
+        if (all) {
+            found_.connected = {true, "the maps' images hang together by common points [Hata85]"};
+        } else if (!hangs_together(static_cast<std::size_t>(rifs_.start))) {
+            found_.connected = {false, "the maps' images fall into groups without a common point"};
+        } else {
+            found_.connected = {std::nullopt, "a part of the graph falls apart inside of pieces"};
+        }
+        if (none) {
+            found_.totally_disconnected = {true, "no two images have a common point"};
+        } else if (all && found_.dimensions > 0) {
+            found_.totally_disconnected = {false, "it is connected and no point"};
+        } else {
+            found_.totally_disconnected = {std::nullopt, "some images have common points"};
+        }
+    }
+
+    [[nodiscard]] double approximate(const exact::Polynomial& p) const {
+        exact::Algebraic a = system_.numbers.lifted(exact::whole(0));
+        a.value = p;
+        return system_.numbers.approximate(a);
+    }
+
+    [[nodiscard]] double log_ratio(int map) const {
+        if (map < 0) return 0;
+        return std::log(approximate(system_.squared_ratio[static_cast<std::size_t>(map)])) / 2;
+    }
+
+    void add_hausdorff() {
+        if (!similar()) {
+            found_.hausdorff = {std::nullopt, "not every map is a similitude"};
+        } else if (found_.open_set.value.value_or(false)) {
+            GrowthGraph graph(rifs_.follow_sets.size());
+            for (std::size_t s = 0; s < graph.size(); ++s)
+                for (const int m : rifs_.follow_sets[s].maps)
+                    graph[s].push_back(
+                        {rifs_.follow_of[static_cast<std::size_t>(m)], log_ratio(m)});
+            set_dimension(graph,
+                          "the similarity dimension: similitudes with the open-set condition, in "
+                          "exact numbers (Theorem 5.4)");
+        } else if (!finite()) {
+            found_.hausdorff = {std::nullopt, unfinished()};
+        } else if (!found_.overlaps.value.value_or(false)) {
+            found_.hausdorff = {std::nullopt, found_.open_set.why};
+        } else if (!system_.equal_ratios) {
+            found_.hausdorff = {std::nullopt, "cells coincide, and the maps' ratios differ"};
+        } else {
+            reduced_dimension();
+        }
+    }
+
+    void reduced_dimension() {
+        const auto words = distinct_words(graph_, rifs_, most_states);
+        if (!words) {
+            found_.hausdorff = {std::nullopt, fmt::format("the system without duplicates has more "
+                                                          "than {} states",
+                                                          most_states)};
+            return;
+        }
+        GrowthGraph graph;
+        for (const auto& steps : words->states) {
+            auto& row = graph.emplace_back();
+            for (const auto& step : steps) row.push_back({step.to, log_ratio(step.map)});
+        }
+        set_dimension(graph, fmt::format("finite type: the words that equal no earlier one, a "
+                                         "graph of {} states [NW01] [Zerner96]",
+                                         words->states.size()));
+    }
+
+    void set_dimension(const GrowthGraph& graph, const std::string& why) {
+        const auto exponent = growth_exponent(graph);
+        if (exponent) found_.hausdorff = {exponent->middle(), why};
+    }
+
+    /// The sign of (the sum of the volume ratios) - 1. Of one follow set.
+    [[nodiscard]] int volume_excess() const {
+        exact::Polynomial sum(-1);
+        for (const exact::Polynomial& det : system_.volume_ratio) {
+            exact::Algebraic a = system_.numbers.lifted(exact::whole(0));
+            a.value = det;
+            sum = system_.numbers.sign(a) < 0 ? sum - det : sum + det;
+        }
+        exact::Algebraic total = system_.numbers.lifted(exact::whole(0));
+        total.value = sum;
+        return system_.numbers.sign(total);
+    }
+
+    void empty_inside(const std::string& why) {
+        found_.interior = {false, why};
+        found_.volume = {0.0, why};
+    }
+
+    void add_interior() {
+        if (!whole_) return add_interior_of_graph();
+        const int excess = volume_excess();
+        if (excess < 0) return empty_inside("the maps' volumes add up to less than the whole's");
+        const bool overlap = found_.overlaps.value.value_or(false);
+        if (excess == 0 && overlap)
+            return empty_inside(
+                "the maps' volumes add up to the whole's, and two words are the same map");
+        if (excess == 0 && found_.open_set.value.value_or(false)) {
+            found_.interior = {true,
+                               "the open-set condition holds and the maps' volumes add up to the "
+                               "whole's [Schief94]"};
+            found_.volume = {std::nullopt, "not computed"};
+            return;
+        }
+        add_interior_of_graph();
+    }
+
+    void add_interior_of_graph() {
+        constexpr double clearly = 1e-9;
+        if (found_.hausdorff.value && *found_.hausdorff.value < found_.dimensions - clearly)
+            return empty_inside("its dimension is less than the space's");
+        const std::string why = found_.hausdorff.value
+                                    ? "the dimension alone does not tell"
+                                    : "the dimension is not known: " + found_.hausdorff.why;
+        found_.interior = {std::nullopt, why};
+        found_.volume = {std::nullopt, why};
+    }
+
+    void add_boundary() {
+        if (found_.interior.value && !*found_.interior.value) {
+            found_.boundary = {found_.hausdorff.value,
+                               found_.hausdorff.value
+                                   ? "without inside, it is its own boundary"
+                                   : "it is its own boundary, whose dimension is not known: " +
+                                         found_.hausdorff.why};
+            return;
+        }
+        if (!found_.interior.value) {
+            found_.boundary = {std::nullopt, found_.interior.why};
+            return;
+        }
+        GrowthGraph graph(graph_.types.size());
+        for (std::size_t t = 0; t < graph.size(); ++t)
+            for (const NeighbourEdge& e : graph_.types[t].edges)
+                graph[t].push_back({e.to, log_ratio(e.first)});
+        const auto exponent = growth_exponent(graph);
+        if (!exponent) {
+            found_.boundary = {std::nullopt, "it has no neighbours"};
+            return;
+        }
+        found_.boundary = {exponent->middle(),
+                           "where cells meet their neighbours, a graph-directed set [DKV00] "
+                           "[Falconer95]"};
+    }
+
+    const exact::ExactSystem& system_;
+    const Rifs& rifs_;
+    bool whole_;  // one follow set: an IFS
+    bool strong_;
+    NeighbourGraph graph_;
+    ExactFindings found_;
+};
+
+}  // namespace
+
+ExactFindings nothing_exact(const std::string& why) {
+    ExactFindings found;
+    found.numbers = why;
+    const std::string because = "no exact numbers: " + why;
+    found.finite.why = found.overlaps.why = found.open_set.why = found.connected.why = because;
+    found.totally_disconnected.why = found.hausdorff.why = found.boundary.why = because;
+    found.interior.why = found.volume.why = because;
+    return found;
+}
+
+ExactFindings find_exactly(exact::WrittenMaps written, const Rifs& rifs,
+                           const std::vector<Bounds>& bounds, const NeighbourLimits& limits) {
+    try {
+        const exact::ExactSystem system = exact::exact_system(std::move(written), rifs);
+        return Findings(system, rifs, bounds, limits).run();
+    } catch (const exact::NotExact& reason) {
+        return nothing_exact(reason.why);
+    }
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,59 @@
+// What follows from the graph of neighbours (docs/neighbours.md has the theorems): overlaps, the
+// open-set condition, connectedness, the Hausdorff dimension, inside, boundary. Each is decided in
+// the scene's very numbers, or left open with the reason.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/fractal/bounds/bounds.hpp"
+#include "host/fractal/neighbours/neighbour_limits.hpp"
+#include "host/fractal/system/rifs.hpp"
+
+namespace pxm::host {
+
+namespace exact {
+struct WrittenMaps;
+}
+
+/// Something decided, or nothing; and why.
+template <class Value>
+struct Decided {
+    std::optional<Value> value;
+    std::string why;
+};
+
+struct ExactFindings {
+    std::string numbers;  // what the maps' numbers are, or why they are not had exactly
+    int degree = 0;       // of the number field; 0: exact numbers are not had
+    int dimensions = 3;   // of the affine subspace that the attractor lies in
+
+    Decided<bool> finite;      // are there finitely many types of neighbours?
+    std::size_t types = 0;     // that touch, the identity included if cells coincide
+    std::size_t touching = 0;  // those that are not the identity
+    std::vector<std::array<int, 2>> touching_maps;  // of the start: images with a common point
+
+    Decided<bool> overlaps;  // are two words the same map?
+    std::array<std::vector<int>, 2> overlapping_words;
+    Decided<bool> open_set;
+    Decided<bool> connected;
+    Decided<bool> totally_disconnected;
+    Decided<double> hausdorff;
+    Decided<double> boundary;  // its dimension
+    Decided<bool> interior;    // within the subspace
+    Decided<double> volume;    // and its length, area or volume
+};
+
+/// `written` are the maps of `rifs` as the scene's text has them; `bounds` as from bound().
+/// Precondition: the system contracts, and every follow set is reached from the start.
+[[nodiscard]] ExactFindings find_exactly(exact::WrittenMaps written, const Rifs& rifs,
+                                         const std::vector<Bounds>& bounds,
+                                         const NeighbourLimits& limits);
+
+/// Nothing decided, for that reason.
+[[nodiscard]] ExactFindings nothing_exact(const std::string& why);
+
+}  // namespace pxm::host

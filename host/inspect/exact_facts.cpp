@@ -1,0 +1,67 @@
+#include "host/inspect/exact_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/inspect/exact_scene.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+/// The maps of `part`, in its order.
+exact::WrittenMaps written_part(const Scene& scene, const IfsBlock& block, const Rifs& rifs,
+                                const Rifs& part) {
+    exact::WrittenMaps all = written_maps(scene, block);
+    std::vector<exact::Entries> maps;
+    for (const std::string& name : part.map_names) {
+        const auto place = std::ranges::find(rifs.map_names, name) - rifs.map_names.begin();
+        maps.push_back(all.maps[static_cast<std::size_t>(place)]);
+    }
+    all.maps = std::move(maps);
+    return all;
+}
+
+Scene scene_without_text() { return {}; }
+
+}  // namespace
+
+void add_exact_facts(const IfsBlock& block, const Scene* scene, const Rifs& part,
+                     const std::vector<Bounds>& bounds, const NeighbourLimits& limits,
+                     IfsFacts& facts) {
+    facts.exact_names = part.map_names;
+    const Scene none = scene_without_text();
+    try {
+        facts.exact =
+            find_exactly(written_part(scene != nullptr ? *scene : none, block, facts.rifs, part),
+                         part, bounds, limits);
+    } catch (const exact::NotExact& reason) {
+        facts.exact = nothing_exact(reason.why);
+    }
+    const Decided<bool>& open_set = facts.exact.open_set;
+    if (!open_set.value) return;
+    const OpenSetCondition decided =
+        *open_set.value ? OpenSetCondition::holds : OpenSetCondition::fails;
+    if (decided == facts.open_set.condition) return;
+    facts.open_set = {decided, open_set.why};
+}
+
+void add_exact_topology(IfsFacts& facts) {
+    const Decided<bool>& exact = facts.exact.totally_disconnected;
+    if (exact.value && exact.value != facts.disconnected.totally_disconnected)
+        facts.disconnected = {exact.value, exact.why};
+    Decided<bool>& connected = facts.exact.connected;
+    if (!connected.value && facts.disconnected.totally_disconnected.value_or(false) &&
+        facts.rifs.maps.size() > 1 && facts.exact.dimensions > 0)
+        connected = {false, facts.disconnected.why};
+    const Decided<double>& hausdorff = facts.exact.hausdorff;
+    Dimensions& dimensions = facts.dimensions;
+    if (!hausdorff.value || dimensions.exact) return;
+    dimensions.exact = hausdorff.value;
+    dimensions.upper = std::min(dimensions.upper, *hausdorff.value);
+    dimensions.meaning = fmt::format("the Hausdorff and box-counting dimensions are {:.6g}: {}",
+                                     *hausdorff.value, hausdorff.why);
+}
+
+}  // namespace pxm::host

@@ -1,0 +1,68 @@
+#include "host/inspect/exact_json.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json value_json(const Decided<Value>& decided) {
+    return decided.value ? Json(*decided.value) : Json(nullptr);
+}
+
+template <class Value>
+void add(Json& json, const std::string& key, const Decided<Value>& decided) {
+    json[key] = value_json(decided);
+    json[key + "_why"] = decided.why;
+}
+
+template <class Maps>
+Json names_json(const IfsFacts& ifs, const Maps& maps) {
+    Json names = Json::array();
+    for (const int m : maps) names.push_back(ifs.exact_names[static_cast<std::size_t>(m)]);
+    return names;
+}
+
+Json neighbours_json(const IfsFacts& ifs) {
+    const ExactFindings& exact = ifs.exact;
+    const bool finite = exact.finite.value.value_or(false);
+    Json json;
+    add(json, "finite", exact.finite);
+    json["types"] = finite ? Json(exact.types) : Json(nullptr);
+    json["touching"] = finite ? Json(exact.touching) : Json(nullptr);
+    json["touching_maps"] = finite ? Json::array() : Json(nullptr);
+    for (const auto& pair : exact.touching_maps)
+        json["touching_maps"].push_back(names_json(ifs, pair));
+    json["numbers"] = exact.numbers;
+    json["field_degree"] = exact.degree > 0 ? Json(exact.degree) : Json(nullptr);
+    return json;
+}
+
+}  // namespace
+
+void add_exact_json(const IfsFacts& ifs, Json& json) {
+    const ExactFindings& exact = ifs.exact;
+    Json& dimension = json["dimension"];
+    const bool decided = exact.hausdorff.value.has_value();
+    const auto& known = ifs.dimensions.exact;
+    dimension["hausdorff"] = decided ? Json(*exact.hausdorff.value)
+                             : known ? Json(*known)
+                                     : Json(nullptr);
+    dimension["hausdorff_why"] = decided ? exact.hausdorff.why
+                                 : known ? ifs.dimensions.meaning
+                                         : exact.hausdorff.why;
+    dimension["hausdorff_exact"] = decided;
+    json["neighbours"] = neighbours_json(ifs);
+    add(json, "exact_overlaps", exact.overlaps);
+    json["overlapping_words"] = Json::array();
+    if (exact.overlaps.value.value_or(false))
+        for (const auto& word : exact.overlapping_words)
+            json["overlapping_words"].push_back(names_json(ifs, word));
+    add(json, "connected", exact.connected);
+    json["boundary"] = {{"dimension", value_json(exact.boundary)}, {"why", exact.boundary.why}};
+    add(json, "interior", exact.interior);
+    add(json, "volume", exact.volume);
+}
+
+}  // namespace pxm::host
