@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "tests/support/paths.hpp"
+#include "tests/support/source_functions.hpp"
 
 namespace pxm::test {
 namespace {
@@ -186,6 +189,25 @@ Complaints check(const std::vector<SourceText>& sources) {
     return complaints;
 }
 
+constexpr int most_lines = 60;
+constexpr int most_parameters = 5;  // of the rooms below: beyond, a struct says what they are
+
+/// What is too long in a source, and in host/wide what has too many parameters. Returns how many
+/// functions there are.
+std::size_t check_functions(const SourceText& source, Complaints& complaints) {
+    const bool few = source.path.starts_with("host/wide/");
+    const std::vector<SourceFunction> functions = functions_of(source.text);
+    for (const SourceFunction& function : functions) {
+        const std::string where =
+            source.path + ":" + std::to_string(function.line) + ": " + function.name + " has ";
+        if (function.lines > most_lines)
+            complaints.push_back(where + std::to_string(function.lines) + " lines");
+        if (few && function.parameters > most_parameters)
+            complaints.push_back(where + std::to_string(function.parameters) + " parameters");
+    }
+    return functions.size();
+}
+
 std::vector<SourceText> sources_of_the_tree() {
     std::vector<SourceText> sources;
     for (const char* top : {"pxm", "dsp_kernels", "host", "tests"}) {
@@ -313,6 +335,30 @@ TEST(Architecture, comments_and_strings_are_not_code) {
 TEST(Architecture, a_header_is_read_once) {
     EXPECT_THAT(check({{"pxm/a.hpp", "// #pragma once\nint a();\n"}}),
                 ElementsAre("pxm/a.hpp: no #pragma once"));
+}
+
+TEST(Architecture, functions_are_short_and_few_things_are_told_one_by_one) {
+    const auto sources = sources_of_the_tree();
+    Complaints complaints;
+    std::size_t functions = 0;
+    for (const SourceText& source : sources) functions += check_functions(source, complaints);
+    EXPECT_THAT(complaints, IsEmpty());
+    EXPECT_GT(functions, 5 * sources.size());  // the parser finds them
+}
+
+TEST(Architecture, it_sees_functions_that_are_too_long_or_take_too_much) {
+    const auto about = [](const char* path, const std::string& text) {
+        Complaints complaints;
+        (void)check_functions({path, text}, complaints);
+        return complaints;
+    };
+    const std::string six = "void f(int a, int b, int c, int d, int e, int g);\n";
+    EXPECT_THAT(about("host/wide/a.hpp", six),
+                ElementsAre("host/wide/a.hpp:1: f has 6 parameters"));
+    EXPECT_THAT(about("host/math/a.hpp", six), IsEmpty());
+    const std::string body = "int f() {\n" + std::string(59, '\n') + "}\n";
+    EXPECT_THAT(about("pxm/a.cpp", body), ElementsAre("pxm/a.cpp:1: f has 61 lines"));
+    EXPECT_THAT(about("pxm/a.cpp", "int f() {" + std::string(59, '\n') + "}\n"), IsEmpty());
 }
 
 }  // namespace

@@ -94,6 +94,19 @@ MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistic
     return statistics;
 }
 
+/// Which units are wanted of a run, and how many pixels they have.
+struct WantedUnits {
+    std::vector<bool> units;
+    std::size_t pixels = 0;
+
+    WantedUnits(const UnitWork& work, std::size_t count) : units(count) {
+        for (const std::size_t index : work.wanted) {
+            units[index] = true;
+            pixels += work.units[index].count();
+        }
+    }
+};
+
 template <class Real, kernels::Features features>
 class LoadedMachine : public LoadedScene {
   public:
@@ -147,19 +160,14 @@ class LoadedMachine : public LoadedScene {
         EngineResult result;
         result.frame = Frame(scene_.size, window);
         std::vector<RayStatistics> rays(machine.nodes().size());
-        std::vector<bool> wanted(machine.nodes().size());
-        std::size_t wanted_pixels = 0;
-        for (const std::size_t index : work.wanted) {
-            wanted[index] = true;
-            wanted_pixels += work.units[index].count();
-        }
+        const WantedUnits wanted(work, machine.nodes().size());
         std::atomic<std::size_t> done = 0;
         std::atomic<bool> stopped = false;
         const auto program = [&](Node<Real>& node) {
             clear_overflow();  // a thread begins with the flags of whoever started it
             const auto index = static_cast<std::size_t>(node.index());
             RayStatistics& counts = rays[index];
-            if (!wanted[index] || stopped) return;
+            if (!wanted.units[index] || stopped) return;
             const UnitPixels& unit = work.units[index];
             const auto give = [&] {
                 if (!work.take || stopped || node.halted()) return;
@@ -186,7 +194,7 @@ class LoadedMachine : public LoadedScene {
                     const std::size_t finished = ++done;
                     if (control.progress && finished % 256 == 0) {
                         control.progress(static_cast<double>(finished) /
-                                         static_cast<double>(wanted_pixels));
+                                         static_cast<double>(wanted.pixels));
                     }
                     if (control.stop && *control.stop) stopped = true;
                     return !stopped && !node.halted();

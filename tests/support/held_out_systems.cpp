@@ -223,20 +223,8 @@ double polygon_ratio(int n) {
     return 1 / (2 * sum);
 }
 
-void add_classics(std::vector<KnownSystem>& known) {
-    for (const int n : {7, 8, 9, 10, 12}) {
-        const double ratio = polygon_ratio(n);
-        known.push_back({"figure of " + std::to_string(n) + " corners", towards(ratio, polygon(n)),
-                         log(n) / -log(ratio)});
-    }
-    for (const int angle : {20, 45, 70}) {
-        const double radians = angle * std::numbers::pi / 180;
-        const double edge = 1 / (2 + 2 * std::cos(radians));
-        known.push_back({"Cesaro's curve of " + std::to_string(angle) + " degrees",
-                         path({0, edge, edge + std::polar(edge, radians), 1 - edge, 1}),
-                         log(4) / -log(edge)});
-    }
-    // Cubes in the corners and smaller ones between them.
+/// Cubes in the corners and smaller ones between them.
+void add_jerusalem(std::vector<KnownSystem>& known) {
     const double k = std::sqrt(2) - 1;
     std::vector<Affine> cross;
     std::vector<Affine> cube;
@@ -268,6 +256,22 @@ void add_classics(std::vector<KnownSystem>& known) {
     std::vector<double> ratios(8, k);
     ratios.insert(ratios.end(), 12, k * k);
     known.push_back({"Jerusalem cube", complete(cube), moran(ratios)});
+}
+
+void add_classics(std::vector<KnownSystem>& known) {
+    for (const int n : {7, 8, 9, 10, 12}) {
+        const double ratio = polygon_ratio(n);
+        known.push_back({"figure of " + std::to_string(n) + " corners", towards(ratio, polygon(n)),
+                         log(n) / -log(ratio)});
+    }
+    for (const int angle : {20, 45, 70}) {
+        const double radians = angle * std::numbers::pi / 180;
+        const double edge = 1 / (2 + 2 * std::cos(radians));
+        known.push_back({"Cesaro's curve of " + std::to_string(angle) + " degrees",
+                         path({0, edge, edge + std::polar(edge, radians), 1 - edge, 1}),
+                         log(4) / -log(edge)});
+    }
+    add_jerusalem(known);
     known.push_back({"greater carpet", cells(5, [](int i, int j) { return i != 2 || j != 2; }),
                      log(24) / log(5)});
     known.push_back({"carpet with a hole of 2",

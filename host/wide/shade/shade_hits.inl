@@ -67,6 +67,15 @@ struct PathRules {
     float pixel_least;         // detail * p is not less
 };
 
+/// What the cells around the objects give: the walks begin with it.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE EnclosingSums<V> sums_around(D d, const HitLanes& t, int lane) {
+    const auto around = [&](int i) HWY_ATTR {
+        return t.enclosed ? hn::LoadU(d, t.enclosing[i] + lane) : hn::Zero(d);
+    };
+    return {{around(0), around(1), around(2)}, {around(3), around(4), around(5)}, around(6)};
+}
+
 /// Walks the paths from the objects on. A walk is confirmed if the ray meets every cell within its
 /// parent's interval, and the last cell alone is terminal. Leaves the depths and total normals.
 template <int lanes>
@@ -83,12 +92,7 @@ inline WalkedLanes walk_lanes(const Path& path, const PathRules& rules, int most
         const V pixel_growth = hn::LoadU(d, t.pixel_growth + lane);
         const auto levels = hn::LoadU(di, t.levels + lane);
         V key = start, exit = hn::Set(d, std::numeric_limits<float>::infinity());
-        const auto around = [&](int i) HWY_ATTR {
-            return t.enclosed ? hn::LoadU(d, t.enclosing[i] + lane) : zero;
-        };
-        Lanes3<V> weighted{around(0), around(1), around(2)};
-        Lanes3<V> plain{around(3), around(4), around(5)};
-        V total = around(6);
+        auto [weighted, plain, total] = sums_around(d, t, lane);
         auto confirmed = hn::FirstN(d, static_cast<std::size_t>(t.count - lane));
         auto unsure = hn::Lt(one, zero);
         auto entered = hn::Ne(dot(plain, plain), zero);
