@@ -188,13 +188,8 @@ inline void see_along(const WideScene& scene, BeamWorkspace& work, int index, co
     seen.depth = cell.key;
     seen.object = cell.object;
     seen.level = static_cast<int>(cell.level);
-    seen.facing.resize(scene.lights.size());
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {  // Eq. 17.1
-        const CompiledLight& light = scene.lights[i];
-        seen.facing[i] = light.kind == kernels::LightKind::directional
-                             ? std::max(0.0F, glm::dot(normal, glm::vec3{light.place}))
-                             : facing_lamp(given, ray, light.place);
-    }
+    face_lights(scene, normal, seen,
+                [&](const CompiledLight& lamp) { return facing_lamp(given, ray, lamp.place); });
 }
 
 }  // namespace pxm::host::wide::HWY_NAMESPACE

@@ -21,7 +21,7 @@ struct SharedCell {
     int set = 0;
     int object = 0;
     int parent = -1;
-    int symbol = 0;
+    int lane = 0;  // in the parent's set
     std::uint32_t level = 0;
     bool spheres = true;  // its own volume
     int path = -1;        // index of its path, once a ray has hit below it

@@ -86,7 +86,8 @@ inline double most_pixel_at(const WideScene& scene, const RayPacket& packet,
                     scene.detail * packet.most_at_origin + scene.detail * packet.most_growth * z);
 }
 
-/// A ball misses the beam if its centre is farther beside the beam's square than its radius.
+/// A ball misses the frustum if its centre is farther beside the square of the rays than its
+/// radius.
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE LaneInterval<V> ball_in_frustum(D d, const RayPacket& packet, const Lanes3<V>& c, V r) {
     const V zero = hn::Zero(d);
@@ -105,9 +106,10 @@ HWY_INLINE LaneInterval<V> ball_in_frustum(D d, const RayPacket& packet, const L
             hn::IfThenElse(met, hn::Add(c.z, half), hn::Set(d, -beyond))};
 }
 
-/// The depths at which the beam may be in boxes: two bounds for each axis.
+/// The depths at which the rays may be in boxes: two bounds for each axis.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneInterval<V> box_in_frustum(D d, const BoxFrustum& beam, const Lanes3<V>& c, V half) {
+HWY_INLINE LaneInterval<V> box_in_frustum(D d, const BoxFrustum& frustum, const Lanes3<V>& c,
+                                          V half) {
     LaneInterval<V> inside{hn::Zero(d), hn::Set(d, beyond)};
     half = hn::Mul(half, hn::Set(d, 1 + unit_margin));
     const auto clip = [&](V reach, double pace) HWY_ATTR {
@@ -119,10 +121,10 @@ HWY_INLINE LaneInterval<V> box_in_frustum(D d, const BoxFrustum& beam, const Lan
         }
     };
     const auto axis = [&](V center, std::size_t k) HWY_ATTR {
-        const V wide = hn::Add(half, hn::Set(d, beam.spread0[k]));
-        const V from_eye = hn::Sub(center, hn::Set(d, beam.eye[k]));
-        clip(hn::Add(wide, from_eye), beam.high_pace[k]);
-        clip(hn::Sub(wide, from_eye), beam.low_pace[k]);
+        const V wide = hn::Add(half, hn::Set(d, frustum.spread0[k]));
+        const V from_eye = hn::Sub(center, hn::Set(d, frustum.eye[k]));
+        clip(hn::Add(wide, from_eye), frustum.high_pace[k]);
+        clip(hn::Sub(wide, from_eye), frustum.low_pace[k]);
     };
     axis(c.x, 0);
     axis(c.y, 1);
@@ -132,8 +134,7 @@ HWY_INLINE LaneInterval<V> box_in_frustum(D d, const BoxFrustum& beam, const Lan
 
 inline void push_homothety_cell(SearchWorkspace& work, const HomothetyCell& cell) {
     work.homothety_cells.push_back(cell);
-    work.queue.emplace_back(cell.near, ~(static_cast<int>(work.homothety_cells.size()) - 1));
-    std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+    push_into_queue(work, cell.near, ~(static_cast<int>(work.homothety_cells.size()) - 1));
 }
 
 /// Puts the children of a cell of homotheties into the queue that a ray of the packet may meet.
@@ -146,7 +147,7 @@ inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, i
     const HomothetyTable& table = set.children;
     const LaneTable<double>& centers =
         object.spheres ? turn_children(scene, work, parent.object, parent.set) : table.f64;
-    const BoxFrustum& beam = work.box_frusta[static_cast<std::size_t>(parent.object)];
+    const BoxFrustum& frustum = work.box_frusta[static_cast<std::size_t>(parent.object)];
     double* rows = work.scratch.get();
     const auto row = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * table.stride; };
     work.shared_tests += static_cast<std::uint64_t>(table.count);
@@ -156,7 +157,7 @@ inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, i
                                        load3(d, centers.row(0) + i, table.stride));
         const V half = hn::Mul(size, hn::LoadU(d, table.f64.row(HomothetyTable::scale) + i));
         const LaneInterval<V> inside = object.spheres ? ball_in_frustum(d, work.packet, c, half)
-                                                      : box_in_frustum(d, beam, c, half);
+                                                      : box_in_frustum(d, frustum, c, half);
         store3(c, d, row(HomothetyRows::center) + i, table.stride);
         hn::StoreU(half, d, row(HomothetyRows::size) + i);
         hn::StoreU(hn::Max(inside.key, hn::Set(d, parent.near)), d, row(HomothetyRows::near) + i);
@@ -181,7 +182,8 @@ inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, i
     }
 }
 
-inline void set_box_frustum(const WideObject& object, const RayPacket& packet, BoxFrustum& beam) {
+inline void set_box_frustum(const WideObject& object, const RayPacket& packet,
+                            BoxFrustum& frustum) {
     const glm::dvec3 u = object.to_unit.direction(packet.axis[0]);
     const glm::dvec3 v = object.to_unit.direction(packet.axis[1]);
     const glm::dvec3 w = object.to_unit.direction(packet.axis[2]);
@@ -191,14 +193,14 @@ inline void set_box_frustum(const WideObject& object, const RayPacket& packet, B
     for (int k = 0; k < 3; ++k) {
         const auto at = static_cast<std::size_t>(k);
         const double spread1 = std::abs(u[k]) * packet.reach_u1 + std::abs(v[k]) * packet.reach_v1;
-        beam.eye[at] = eye[k];
-        beam.spread0[at] = std::abs(u[k]) * packet.reach_u0 + std::abs(v[k]) * packet.reach_v0;
-        beam.high_pace[at] = inverse(w[k] - spread1);
-        beam.low_pace[at] = inverse(-w[k] - spread1);
+        frustum.eye[at] = eye[k];
+        frustum.spread0[at] = std::abs(u[k]) * packet.reach_u0 + std::abs(v[k]) * packet.reach_v0;
+        frustum.high_pace[at] = inverse(w[k] - spread1);
+        frustum.low_pace[at] = inverse(-w[k] - spread1);
     }
 }
 
-/// Step 1.1 for an object with a fixed direction.
+/// Step 1.1 for an object of homotheties.
 inline void push_homothety_object(const WideScene& scene, SearchWorkspace& work, int index) {
     const hn::CappedTag<double, 1> d;
     using V = hn::VFromD<decltype(d)>;

@@ -10,6 +10,9 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "host/wide/packet/lanes.inl"
 #include "host/wide/search/packet_search.hpp"
 
@@ -35,7 +38,7 @@ struct SharedRows {
 };
 
 template <class V>
-struct Beam {
+struct Frustum {
     Lanes3<V> u, v, w, o;
     V base;
 };
@@ -44,14 +47,15 @@ struct Beam {
 /// Half a cube's width grows by how far the rays are spread along each axis, which is linear in z:
 /// c (z - base) <= q twice for each axis. A ball is cut out of its cube.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE LaneInterval<V> beam_in_volume(D d, const RayPacket& packet, const Beam<V>& beam,
-                                          bool spheres, LaneInterval<V> inside) {
+HWY_INLINE LaneInterval<V> frustum_in_volume(D d, const RayPacket& packet,
+                                             const Frustum<V>& frustum, bool spheres,
+                                             LaneInterval<V> inside) {
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0 + unit_margin);
     const V u0 = hn::Set(d, packet.reach_u0), u1 = hn::Set(d, packet.reach_u1);
     const V v0 = hn::Set(d, packet.reach_v0), v1 = hn::Set(d, packet.reach_v1);
     const auto clip = [&](V c, V q) HWY_ATTR {
-        const V bound = hn::Add(hn::Div(q, c), beam.base);
+        const V bound = hn::Add(hn::Div(q, c), frustum.base);
         const auto ahead = hn::Lt(zero, c);
         const auto behind = hn::Lt(c, zero);
         inside.exit = hn::IfThenElse(ahead, hn::Min(inside.exit, bound), inside.exit);
@@ -60,36 +64,36 @@ HWY_INLINE LaneInterval<V> beam_in_volume(D d, const RayPacket& packet, const Be
     const auto axis = [&](V o, V w, V u, V v) HWY_ATTR {
         const V wide0 = hn::Add(hn::Mul(hn::Abs(u), u0), hn::Mul(hn::Abs(v), v0));
         const V wide1 = hn::Add(hn::Mul(hn::Abs(u), u1), hn::Mul(hn::Abs(v), v1));
-        const V half = hn::Add(one, hn::Add(wide0, hn::Mul(wide1, beam.base)));
+        const V half = hn::Add(one, hn::Add(wide0, hn::Mul(wide1, frustum.base)));
         clip(hn::Sub(w, wide1), hn::Sub(half, o));
         clip(hn::Sub(hn::Neg(w), wide1), hn::Add(half, o));
     };
-    axis(beam.o.x, beam.w.x, beam.u.x, beam.v.x);
-    axis(beam.o.y, beam.w.y, beam.u.y, beam.v.y);
-    axis(beam.o.z, beam.w.z, beam.u.z, beam.v.z);
+    axis(frustum.o.x, frustum.w.x, frustum.u.x, frustum.v.x);
+    axis(frustum.o.y, frustum.w.y, frustum.u.y, frustum.v.y);
+    axis(frustum.o.z, frustum.w.z, frustum.u.z, frustum.v.z);
     if (!spheres) return inside;
-    const V length_u = hn::Sqrt(dot(beam.u, beam.u));
-    const V length_v = hn::Sqrt(dot(beam.v, beam.v));
+    const V length_u = hn::Sqrt(dot(frustum.u, frustum.u));
+    const V length_v = hn::Sqrt(dot(frustum.v, frustum.v));
     const V reach_u = hn::Add(u0, hn::Mul(u1, inside.exit));
     const V reach_v = hn::Add(v0, hn::Mul(v1, inside.exit));
     const V wide = hn::Add(hn::Mul(length_u, reach_u), hn::Mul(length_v, reach_v));
     const V radius = hn::Add(one, wide);
-    const V chord2 = hn::Sub(hn::Mul(radius, radius), dot(beam.o, beam.o));  // o is the foot
-    const V half = hn::Sqrt(hn::Div(hn::Max(chord2, zero), dot(beam.w, beam.w)));
+    const V chord2 = hn::Sub(hn::Mul(radius, radius), dot(frustum.o, frustum.o));  // o is the foot
+    const V half = hn::Sqrt(hn::Div(hn::Max(chord2, zero), dot(frustum.w, frustum.w)));
     const auto misses = hn::Lt(chord2, zero);
-    inside.key = hn::Max(inside.key, hn::Sub(beam.base, half));
-    inside.exit = hn::Min(inside.exit, hn::Add(beam.base, half));
+    inside.key = hn::Max(inside.key, hn::Sub(frustum.base, half));
+    inside.exit = hn::Min(inside.exit, hn::Add(frustum.base, half));
     inside.exit = hn::IfThenElse(misses, hn::Set(d, -beyond), inside.exit);
     return inside;
 }
 
 /// Moves o to the foot of the perpendicular from the volume's centre.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE void rebase(D d, Beam<V>& beam) {
-    const V step =
-        hn::Neg(hn::Div(dot(beam.o, beam.w), hn::Max(dot(beam.w, beam.w), hn::Set(d, 1e-200))));
-    beam.o = add_scaled(beam.o, step, beam.w);
-    beam.base = hn::Add(beam.base, step);
+HWY_INLINE void rebase(D d, Frustum<V>& frustum) {
+    const V step = hn::Neg(
+        hn::Div(dot(frustum.o, frustum.w), hn::Max(dot(frustum.w, frustum.w), hn::Set(d, 1e-200))));
+    frustum.o = add_scaled(frustum.o, step, frustum.w);
+    frustum.base = hn::Add(frustum.base, step);
 }
 
 /// p(z) at least, of all rays of the packet.
@@ -97,6 +101,12 @@ HWY_INLINE double pixel_at(const WideScene& scene, const RayPacket& packet, int 
     const double p = packet.pixel_at_origin + packet.pixel_growth * z;
     return scene.detail *
            std::max(p, scene.objects[static_cast<std::size_t>(object)].smallest_pixel);
+}
+
+/// Puts a cell into the queue, nearest first.
+inline void push_into_queue(SearchWorkspace& work, double near, int cell) {
+    work.queue.emplace_back(near, cell);
+    std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
 }
 
 /// Makes a cell of a child whose rows are in the scratch, and puts it into the queue.
@@ -121,11 +131,10 @@ inline void push_shared_child(const WideSet& set, SearchWorkspace& work, int par
     child.set = set.sets[static_cast<std::size_t>(lane)];
     child.object = parent.object;
     child.parent = parent_index;
-    child.symbol = set.maps[static_cast<std::size_t>(lane)];
+    child.lane = lane;
     child.level = parent.level + 1;
     child.spheres = set.spheres;
-    work.queue.emplace_back(child.near, static_cast<int>(work.cells.size()) - 1);
-    std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+    push_into_queue(work, child.near, static_cast<int>(work.cells.size()) - 1);
 }
 
 /// Puts the children of a shared cell into the queue that a ray of the packet may meet.
@@ -141,22 +150,22 @@ inline void open_shared_cell(const WideScene& scene, SearchWorkspace& work, int 
     for (int i = 0; i < set.count; i += static_cast<int>(hn::Lanes(d))) {
         const double* table = set.f64.row(0) + i;
         const Lanes3x3<V> k = load3x3(d, table, stride);
-        Beam<V> beam;
-        beam.u = transform(broadcast(d, parent.rows.data()), k);
-        beam.v = transform(broadcast(d, parent.rows.data() + 3), k);
-        beam.w = transform(broadcast(d, parent.rows.data() + 6), k);
-        beam.o = add(transform(broadcast(d, parent.rows.data() + 9), k),
-                     load3(d, table + ChildField::offset * stride, stride));
-        beam.base = hn::Set(d, parent.base);
-        rebase(d, beam);
+        Frustum<V> frustum;
+        frustum.u = transform(broadcast(d, parent.rows.data()), k);
+        frustum.v = transform(broadcast(d, parent.rows.data() + 3), k);
+        frustum.w = transform(broadcast(d, parent.rows.data() + 6), k);
+        frustum.o = add(transform(broadcast(d, parent.rows.data() + 9), k),
+                        load3(d, table + ChildField::offset * stride, stride));
+        frustum.base = hn::Set(d, parent.base);
+        rebase(d, frustum);
         const LaneInterval<V> inside =
-            beam_in_volume(d, work.packet, beam, set.spheres,
-                           LaneInterval<V>{hn::Set(d, parent.near), hn::Set(d, parent.far)});
-        store3(beam.u, d, row(0) + i, stride);
-        store3(beam.v, d, row(3) + i, stride);
-        store3(beam.w, d, row(6) + i, stride);
-        store3(beam.o, d, row(9) + i, stride);
-        hn::StoreU(beam.base, d, row(SharedRows::base) + i);
+            frustum_in_volume(d, work.packet, frustum, set.spheres,
+                              LaneInterval<V>{hn::Set(d, parent.near), hn::Set(d, parent.far)});
+        store3(frustum.u, d, row(0) + i, stride);
+        store3(frustum.v, d, row(3) + i, stride);
+        store3(frustum.w, d, row(6) + i, stride);
+        store3(frustum.o, d, row(9) + i, stride);
+        hn::StoreU(frustum.base, d, row(SharedRows::base) + i);
         hn::StoreU(inside.key, d, row(SharedRows::near) + i);
         hn::StoreU(inside.exit, d, row(SharedRows::far) + i);
         const V diameter = hn::LoadU(d, table + ChildField::diameter * stride);
@@ -197,18 +206,18 @@ inline void push_object(const WideScene& scene, SearchWorkspace& work, int index
     };
     for (std::size_t i = 0; i < 3; ++i) put(i, object.to_unit.direction(work.packet.axis[i]));
     const auto from = [&](std::size_t i) { return broadcast(d, cell.rows.data() + 3 * i); };
-    Beam<V> beam{from(0), from(1), from(2), {}, hn::Zero(d)};
+    Frustum<V> frustum{from(0), from(1), from(2), {}, hn::Zero(d)};
     const glm::dvec3 origin = object.to_unit.point(work.packet.origin);
-    beam.o = broadcast(d, &origin.x);
-    rebase(d, beam);
-    const LaneInterval<V> inside = beam_in_volume(d, work.packet, beam, object.spheres,
-                                                  LaneInterval<V>{hn::Zero(d), hn::Set(d, beyond)});
+    frustum.o = broadcast(d, &origin.x);
+    rebase(d, frustum);
+    const LaneInterval<V> inside = frustum_in_volume(
+        d, work.packet, frustum, object.spheres, LaneInterval<V>{hn::Zero(d), hn::Set(d, beyond)});
     ++work.shared_tests;
     cell.near = hn::GetLane(inside.key);
     cell.far = hn::GetLane(inside.exit);
     if (!(cell.near <= cell.far)) return;
-    put(3, {hn::GetLane(beam.o.x), hn::GetLane(beam.o.y), hn::GetLane(beam.o.z)});
-    cell.base = hn::GetLane(beam.base);
+    put(3, {hn::GetLane(frustum.o.x), hn::GetLane(frustum.o.y), hn::GetLane(frustum.o.z)});
+    cell.base = hn::GetLane(frustum.base);
     for (std::size_t i = 0; i < 9; ++i) {
         const auto r = static_cast<int>(i);
         cell.linear[i] = object.linear[r / 3][r % 3];
@@ -219,8 +228,7 @@ inline void push_object(const WideScene& scene, SearchWorkspace& work, int index
     cell.spheres = object.spheres;
     cell.diameter = object.constant * object.diameter;
     work.cells.push_back(cell);
-    work.queue.emplace_back(cell.near, static_cast<int>(work.cells.size()) - 1);
-    std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+    push_into_queue(work, cell.near, static_cast<int>(work.cells.size()) - 1);
 }
 
 }  // namespace pxm::host::wide::HWY_NAMESPACE

@@ -9,6 +9,12 @@
 
 namespace pxm::host::wide {
 
+/// What a word of symbols gives, beside a cell.
+struct HitWord {
+    std::uint32_t hash;  // unfinished
+    std::array<float, 3> color;
+};
+
 /// The cells on the way from an object to an entry cell: the same for all rays that hit below it.
 /// A row for each level, the object's first.
 struct Path {
@@ -28,9 +34,8 @@ struct Path {
     double start_base = 0;
     double start_diameter = 0;
     int object = 0;
-    int shared = 0;          // levels
-    std::uint32_t hash = 0;  // of the shared symbols, unfinished
-    std::array<float, 3> color{};
+    int shared = 0;  // levels
+    HitWord word{};  // of the shared symbols
     /// Of homotheties, or of maps that turn.
     enum class Kind { balls, boxes, balls_of_maps, boxes_of_maps };
     Kind kind = Kind::balls;
@@ -50,12 +55,6 @@ struct ShadedHit {
     int object;
     int level;
     std::uint32_t word;  // hash
-};
-
-/// What a word of symbols gives, beside a cell.
-struct HitWord {
-    std::uint32_t hash;  // unfinished
-    std::array<float, 3> color;
 };
 
 /// Rays that have hit below the same entry cell, one in each lane.

@@ -43,7 +43,7 @@ inline bool take_own_homotheties(const WideScene& scene, Workspace& work, const 
     const HomothetyCell& start = work.homothety_cells[static_cast<std::size_t>(found.start)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(start.object)];
     HitWord& word = t.words[static_cast<std::size_t>(lane)];
-    word = {path.hash, path.color};
+    word = path.word;
     float x = 0, y = 0, z = 0, size = static_cast<float>(start.size);
     auto constant = static_cast<float>(start.constant);
     int set_index = start.set;
@@ -62,8 +62,7 @@ inline bool take_own_homotheties(const WideScene& scene, Workspace& work, const 
         t.diameter[k][lane] = constant * places.table->rows.row(HomothetyTable::diameter)[child];
         constant *= places.table->rows.row(HomothetyTable::constant)[child];
         const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
-        word.hash = hash_symbol(word.hash, static_cast<std::uint32_t>(set.maps[child]));
-        if (object.colored) blend(word.color, set.colors[child]);
+        append(word, set, child, object.colored);
         set_index = set.sets[child];
     }
     t.levels[lane] = path.shared + found.below_count;

@@ -80,6 +80,19 @@ class PointLightSum {
     int count_ = 0;
 };
 
+/// How much a place faces the lights (Eq. 17.1); `lamp` says it of a point light.
+template <class Lamp>
+inline void face_lights(const WideScene& scene, const glm::vec3& normal, ShadedHit& seen,
+                        const Lamp& lamp) {
+    seen.facing.resize(scene.lights.size());
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const CompiledLight& light = scene.lights[i];
+        seen.facing[i] = light.kind == kernels::LightKind::directional
+                             ? std::max(0.0F, glm::dot(normal, glm::vec3{light.place}))
+                             : lamp(light);
+    }
+}
+
 /// The packet's frame to scene units.
 inline glm::vec3 to_scene(const RayPacket& packet, const glm::vec3& v) {
     return glm::vec3{packet.axis[0]} * v.x + glm::vec3{packet.axis[1]} * v.y +

@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "host/engine/word_hash.hpp"
 #include "host/wide/packet/lanes.inl"
@@ -26,9 +27,10 @@ inline void blend(std::array<float, 3>& color, const std::array<float, 4>& paint
     for (std::size_t i = 0; i < 3; ++i) color[i] = (1 - a) * color[i] + a * paint[i];
 }
 
-inline std::size_t child_lane(const WideSet& set, int symbol) {
-    const auto found = std::ranges::lower_bound(set.maps, symbol);
-    return static_cast<std::size_t>(found - set.maps.begin());
+/// A word goes on with a child of a set.
+inline void append(HitWord& word, const WideSet& set, std::size_t child, bool colored) {
+    word.hash = hash_symbol(word.hash, static_cast<std::uint32_t>(set.maps[child]));
+    if (colored) blend(word.color, set.colors[child]);
 }
 
 /// A path to fill in, for an entry cell at that level.
@@ -40,8 +42,8 @@ inline Path& new_path(const WideScene& scene, Workspace& work, int object, std::
     path.shared = static_cast<int>(level) + 1;
     path.object = object;
     path.rays = 0;
-    path.color = scene.objects[static_cast<std::size_t>(object)].color;
-    path.hash = scene.objects[static_cast<std::size_t>(object)].hash;
+    const WideObject& first = scene.objects[static_cast<std::size_t>(object)];
+    path.word = {first.hash, first.color};
     return path;
 }
 
@@ -61,37 +63,6 @@ inline void put_level(Path& path, int level, double base, double diameter, const
     if (level == 0) path.deep = diameter * deep_share > path.start_diameter;
 }
 
-/// The path of an entry cell, its shared levels filled in. Null if it is too long.
-inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
-    SharedCell& cell = work.cells[static_cast<std::size_t>(start)];
-    if (cell.level + 1 > Path::capacity) return nullptr;
-    if (cell.path >= 0) return &work.paths[static_cast<std::size_t>(cell.path)];
-    Path& path = new_path(scene, work, cell.object, cell.level, cell.path);
-    path.kind = scene.objects[static_cast<std::size_t>(cell.object)].spheres
-                    ? Path::Kind::balls_of_maps
-                    : Path::Kind::boxes_of_maps;
-    path.start_base = cell.base;
-    path.start_diameter = cell.diameter;
-    int cells[Path::capacity];
-    int at = start;
-    for (int level = path.shared - 1; level >= 0; --level) {
-        cells[level] = at;
-        at = work.cells[static_cast<std::size_t>(at)].parent;
-    }
-    for (int level = 0; level < path.shared; ++level) {
-        const SharedCell& inner = work.cells[static_cast<std::size_t>(cells[level])];
-        put_level(path, level, inner.base, inner.diameter,
-                  [&](double* row) { std::ranges::copy(inner.rows, row); });
-        if (level == 0) continue;
-        path.hash = hash_symbol(path.hash, static_cast<std::uint32_t>(inner.symbol));
-        if (!scene.objects[static_cast<std::size_t>(cell.object)].colored) continue;
-        const SharedCell& parent = work.cells[static_cast<std::size_t>(inner.parent)];
-        const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
-        blend(path.color, set.colors[child_lane(set, inner.symbol)]);
-    }
-    return &path;
-}
-
 /// What the boxes of a path have in common.
 inline void put_frame(const WideObject& object, const RayPacket& packet, const HomothetyCell& start,
                       Path& path) {
@@ -104,42 +75,68 @@ inline void put_frame(const WideObject& object, const RayPacket& packet, const H
     }
 }
 
-/// The same for homotheties.
-inline Path* path_of_homotheties(const WideScene& scene, Workspace& work, int start) {
-    HomothetyCell& cell = work.homothety_cells[static_cast<std::size_t>(start)];
-    if (cell.level + 1 > Path::capacity) return nullptr;
-    if (cell.path >= 0) return &work.paths[static_cast<std::size_t>(cell.path)];
-    Path& path = new_path(scene, work, cell.object, cell.level, cell.path);
-    const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    path.kind = object.spheres ? Path::Kind::balls : Path::Kind::boxes;
-    if (object.spheres) {
-        path.start_base = cell.center[2];
-    } else {
-        put_frame(object, work.packet, cell, path);
+/// The cells of any maps, as their paths have them.
+struct MapCells {
+    static std::vector<SharedCell>& all(Workspace& work) { return work.cells; }
+    static void begin(const WideObject& object, const RayPacket& /*packet*/,
+                      const SharedCell& entry, Path& path) {
+        path.kind = object.spheres ? Path::Kind::balls_of_maps : Path::Kind::boxes_of_maps;
+        path.start_base = entry.base;
     }
-    path.start_diameter = cell.diameter;
-    int cells[Path::capacity];
+    static double base(const Path& /*path*/, const SharedCell& cell) { return cell.base; }
+    static void fill(const Path& /*path*/, const SharedCell& /*entry*/, const SharedCell& cell,
+                     double* row) {
+        std::ranges::copy(cell.rows, row);
+    }
+};
+
+/// Those of homotheties.
+struct HomothetyCells {
+    static std::vector<HomothetyCell>& all(Workspace& work) { return work.homothety_cells; }
+    static void begin(const WideObject& object, const RayPacket& packet, const HomothetyCell& entry,
+                      Path& path) {
+        path.kind = object.spheres ? Path::Kind::balls : Path::Kind::boxes;
+        path.start_base = entry.center[2];
+        if (!object.spheres) put_frame(object, packet, entry, path);
+    }
+    static double base(const Path& path, const HomothetyCell& cell) {
+        return path.kind == Path::Kind::balls ? cell.center[2] : path.start_base;
+    }
+    static void fill(const Path& path, const HomothetyCell& entry, const HomothetyCell& cell,
+                     double* row) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            row[k] = cell.center[k] - (path.kind == Path::Kind::balls ? 0 : entry.center[k]);
+        }
+        row[3] = cell.size;
+        row[4] = 1 / cell.size;
+    }
+};
+
+/// The path of an entry cell, its shared levels filled in. Null if it is too long.
+template <class Cells>
+inline Path* path_of(const WideScene& scene, Workspace& work, int start) {
+    auto& cells = Cells::all(work);
+    auto& entry = cells[static_cast<std::size_t>(start)];
+    if (entry.level + 1 > Path::capacity) return nullptr;
+    if (entry.path >= 0) return &work.paths[static_cast<std::size_t>(entry.path)];
+    Path& path = new_path(scene, work, entry.object, entry.level, entry.path);
+    const WideObject& object = scene.objects[static_cast<std::size_t>(entry.object)];
+    Cells::begin(object, work.packet, entry, path);
+    path.start_diameter = entry.diameter;
+    int way[Path::capacity];
     int at = start;
     for (int level = path.shared - 1; level >= 0; --level) {
-        cells[level] = at;
-        at = work.homothety_cells[static_cast<std::size_t>(at)].parent;
+        way[level] = at;
+        at = cells[static_cast<std::size_t>(at)].parent;
     }
     for (int level = 0; level < path.shared; ++level) {
-        const HomothetyCell& inner = work.homothety_cells[static_cast<std::size_t>(cells[level])];
-        const double base = object.spheres ? inner.center[2] : path.start_base;
-        put_level(path, level, base, inner.diameter, [&](double* row) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                row[k] = inner.center[k] - (object.spheres ? 0 : cell.center[k]);
-            }
-            row[3] = inner.size;
-            row[4] = 1 / inner.size;
-        });
+        const auto& cell = cells[static_cast<std::size_t>(way[level])];
+        put_level(path, level, Cells::base(path, cell), cell.diameter,
+                  [&](double* row) { Cells::fill(path, entry, cell, row); });
         if (level == 0) continue;
-        const HomothetyCell& parent = work.homothety_cells[static_cast<std::size_t>(inner.parent)];
-        const WideSet& set = scene.sets[static_cast<std::size_t>(parent.set)];
-        const auto lane = static_cast<std::size_t>(inner.lane);
-        path.hash = hash_symbol(path.hash, static_cast<std::uint32_t>(set.maps[lane]));
-        if (object.colored) blend(path.color, set.colors[lane]);
+        const auto& parent = cells[static_cast<std::size_t>(cell.parent)];
+        append(path.word, scene.sets[static_cast<std::size_t>(parent.set)],
+               static_cast<std::size_t>(cell.lane), object.colored);
     }
     return &path;
 }

@@ -42,7 +42,7 @@ inline bool take_own_maps(const WideScene& scene, const Workspace& work, const P
                           const Found& found, HitLanes& t) {
     const int lane = t.count;
     HitWord& word = t.words[static_cast<std::size_t>(lane)];
-    word = {path.hash, path.color};
+    word = path.word;
     t.levels[lane] = path.shared;
     if (found.block < 0) return true;
     const Block* blocks = work.blocks.data();
@@ -61,11 +61,9 @@ inline bool take_own_maps(const WideScene& scene, const Workspace& work, const P
     }
     const bool colored = scene.objects[static_cast<std::size_t>(path.object)].colored;
     for (int k = 0; k < own; ++k) {
-        const auto [set_index, symbol] = children[static_cast<std::size_t>(k)];
-        const WideSet& set = scene.sets[static_cast<std::size_t>(set_index)];
-        const auto at = static_cast<std::size_t>(symbol);
-        word.hash = hash_symbol(word.hash, static_cast<std::uint32_t>(set.maps[at]));
-        if (colored) blend(word.color, set.colors[at]);
+        const auto [set_index, own_child] = children[static_cast<std::size_t>(k)];
+        append(word, scene.sets[static_cast<std::size_t>(set_index)],
+               static_cast<std::size_t>(own_child), colored);
     }
     t.levels[lane] = path.shared + own;
     return true;

@@ -188,13 +188,8 @@ inline void put_hit(const WideScene& scene, Workspace& work, const WalkedRay& wa
     }
     normal = to_scene(work.packet, normal);
     seen.normal = {normal.x, normal.y, normal.z};
-    seen.facing.resize(scene.lights.size());
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {  // Eq. 17.1
-        const CompiledLight& light = scene.lights[i];
-        seen.facing[i] = light.kind == kernels::LightKind::directional
-                             ? std::max(0.0F, glm::dot(normal, glm::vec3{light.place}))
-                             : face_lamp(scene, work, walked, light);
-    }
+    face_lights(scene, normal, seen,
+                [&](const CompiledLight& light) { return face_lamp(scene, work, walked, light); });
     const HitWord& word = t.words[static_cast<std::size_t>(lane)];
     seen.color = word.color;
     seen.word = finished_hash(word.hash);
@@ -270,7 +265,7 @@ inline std::uint64_t shade_path(const WideScene& scene, Workspace& work, Path& p
     const hn::CappedTag<float, HitLanes::most_lanes> d;
     const auto most = static_cast<int>(hn::Lanes(d));
     HitLanes& t = work.hit_lanes;
-    const bool fixed = path.kind == Path::Kind::balls || path.kind == Path::Kind::boxes;
+    const bool of_homotheties = path.kind == Path::Kind::balls || path.kind == Path::Kind::boxes;
     std::uint64_t confirmed = 0;
     std::uint64_t rays = path.rays;
     while (rays != 0) {
@@ -278,8 +273,8 @@ inline std::uint64_t shade_path(const WideScene& scene, Workspace& work, Path& p
         for (; rays != 0 && t.count < most; rays &= rays - 1) {
             const int ray = std::countr_zero(rays);
             const Found& found = work.found[static_cast<std::size_t>(ray)];
-            const bool taken = fixed ? take_own_homotheties(scene, work, path, found, t)
-                                     : take_own_maps(scene, work, path, found, t);
+            const bool taken = of_homotheties ? take_own_homotheties(scene, work, path, found, t)
+                                              : take_own_maps(scene, work, path, found, t);
             if (taken) take_ray(scene, work.packet, path, ray, t);
         }
         if (t.count > 0) confirmed |= shade_kind(scene, work, path, seen);
@@ -294,9 +289,9 @@ inline std::uint64_t shade(const WideScene& scene, Workspace& work, std::uint64_
                            ShadedHit* const* seen) {
     for (; rays != 0; rays &= rays - 1) {
         const Found& found = work.found[static_cast<std::size_t>(std::countr_zero(rays))];
-        const bool fixed = found.below_count >= 0;
-        Path* path = fixed ? path_of_homotheties(scene, work, found.start)
-                           : path_of(scene, work, found.start);
+        const bool of_homotheties = found.below_count >= 0;
+        Path* path = of_homotheties ? path_of<HomothetyCells>(scene, work, found.start)
+                                    : path_of<MapCells>(scene, work, found.start);
         if (path == nullptr) continue;
         path->rays |= rays & (~rays + 1);
     }
