@@ -222,12 +222,12 @@ class BallVisit {
     /// A ray that goes down level by level.
     HWY_INLINE bool follow(RayBelow& below) {
         const int i = below.ray;
-        const HomothetyRay fixed = ray_below(scene_, work_, start_, below);
-        if (start_.last || diameter_ <= fixed.pixel(below.depth)) {
+        const HomothetyRay in_packet = ray_below(scene_, work_, start_, below);
+        if (start_.last || diameter_ <= in_packet.pixel(below.depth)) {
             below.found.below_count = 0;
             return true;
         }
-        BallRay ray = in_candidate_view(fixed, i);
+        BallRay ray = in_candidate_view(in_packet, i);
         if (!follow_homotheties(scene_, work_, ray, {rays_.x[i], rays_.y[i], 0, 1}, below.found))
             return false;
         below.depth = from_candidate_view(ray.found, i);

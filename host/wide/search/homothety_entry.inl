@@ -59,14 +59,14 @@ HWY_INLINE HomothetyRay ray_below(const WideScene& scene, const SearchWorkspace&
     const int ray = below.ray;
     const auto pixel1 = static_cast<double>(packet.pixel1[ray]);
     const double pixel0 = static_cast<double>(packet.pixel0[ray]) + pixel1 * start.base;
-    HomothetyRay fixed;
-    fixed.best = below.best;
-    fixed.start =
+    HomothetyRay result;
+    result.best = below.best;
+    result.start =
         static_cast<float>((static_cast<double>(packet.start[ray]) - start.base) / start.length);
-    fixed.pixel_base = static_cast<float>(scene.detail * pixel0);
-    fixed.pixel_growth = static_cast<float>(scene.detail * pixel1 * start.length);
-    fixed.pixel_least = start.least;
-    return fixed;
+    result.pixel_base = static_cast<float>(scene.detail * pixel0);
+    result.pixel_growth = static_cast<float>(scene.detail * pixel1 * start.length);
+    result.pixel_least = start.least;
+    return result;
 }
 
 /// Calls `follow(RayBelow)` for the rays that have met an entry cell and found nothing nearer:

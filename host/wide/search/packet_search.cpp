@@ -41,7 +41,7 @@ inline bool is_entry(const WideScene& scene, const SearchWorkspace& work, const 
            cell.diameter <= most_pixels * pixel_at(scene, work.packet, cell.object, near);
 }
 
-/// As visit_entry_cell(), for an object with a fixed direction.
+/// As visit_entry_cell(), for an object of homotheties.
 inline void visit_homotheties(const WideScene& scene, SearchWorkspace& work, int index) {
     begin_looking(work);
     const HomothetyCell cell = work.homothety_cells[static_cast<std::size_t>(index)];

@@ -12,8 +12,8 @@ namespace pxm::host::wide {
 [[nodiscard]] bool is_of_homotheties(const CompiledScene& scene, const CompiledObject& object);
 
 /// Fills in the homothety tables of the sets of such objects. One whose cells have more children
-/// than a ray keeps of an opened cell (opened_cell_room), and which is no grid, loses its fixed
-/// direction.
+/// than a ray keeps of an opened cell (opened_cell_room), and which is no grid, is no object
+/// of homotheties any more.
 void tabulate_homotheties(WideScene& scene);
 
 }  // namespace pxm::host::wide

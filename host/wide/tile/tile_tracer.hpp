@@ -1,8 +1,8 @@
 // What is seen through the pixels of an 8x8 tile, with shadows, mirrors, planes and samples: as
 // dsp_kernels/trace.hpp, but a step is done for a whole packet of rays before the next one. Cells
-// are found by bundle_search; planes and textures are the reference kernels' own. A pixel with a
-// ray that the search gives up, or a hit that is not confirmed in float, is rendered by the clear
-// kernels from its beginning.
+// are found by packet_search; planes and textures are the reference kernels' own. A pixel with a
+// ray that the search gives up, or a hit that is not confirmed in float, is rendered by the
+// reference kernels from its beginning.
 #pragma once
 
 #include <array>
