@@ -63,21 +63,11 @@ std::vector<CloudExtent> extents_of(const std::vector<PointGame>& players) {
 /// The points of a file, as they come in it: objects one after another, with equal shares.
 class Cloud {
   public:
-    Cloud(const std::vector<PointGame>& players, std::uint64_t count, const Coordinates& coordinates)
-        : players_(players), coordinates_(coordinates) {
-        for (std::size_t i = 0; i < players.size(); ++i) {
-            const auto begin = [&](std::size_t player) {
-                return count / players.size() * player +
-                       std::min<std::uint64_t>(count % players.size(), player);
-            };
-            std::uint64_t left = begin(i + 1) - begin(i);
-            for (std::uint32_t number = 0; left > 0; ++number) {
-                const std::uint64_t points = std::min(left, ChaosGame::chunk_points);
-                chunks_.push_back({i, number, points});
-                left -= points;
-            }
-        }
-    }
+    Cloud(const std::vector<PointGame>& players, std::uint64_t count,
+          const Coordinates& coordinates)
+        : players_(players),
+          coordinates_(coordinates),
+          chunks_(point_chunks(players.size(), count)) {}
 
     [[nodiscard]] std::size_t chunks() const { return chunks_.size(); }
 
@@ -99,7 +89,7 @@ class Cloud {
   private:
     const std::vector<PointGame>& players_;
     Coordinates coordinates_;
-    std::vector<Chunk> chunks_;
+    std::vector<PointChunk> chunks_;
 };
 
 /// Draws chunks from all threads; false if a signal came.
