@@ -66,13 +66,9 @@ class Lexer {
     }
     void take_raw_string() {
         const std::size_t open = text_.find('(', at_);
-<<<<<<< HEAD
-        const std::string end = ")" + std::string(text_.substr(at_ + 2, open - at_ - 2)) + "\"";
-=======
         std::string end(1, ')');
         end += text_.substr(at_ + 2, open - at_ - 2);
         end += '"';
->>>>>>> house
         tokens_.push_back({"\"", line_});
         skip_to(end, end.size());
     }
