@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t window_words = 1024;  // of the back buffer, as dsp_kernels/asm sees it
 constexpr std::size_t most_maps = 256;      // a byte a map
 constexpr long heap_entries = 256;
-constexpr long most_pixels = 32'767;  // along an axis: a number of 16 bits
+constexpr std::uint32_t most_cells = 0x7FFF'FFFF;  // tested for a ray: counted with a sign
+constexpr long most_pixels = 32'767;               // along an axis: a number of 16 bits
 
 std::string beyond_in_shape(const CompiledShape& shape, bool steep) {
     if (shape.ifs.empty()) return "an object that is a volume";
@@ -46,6 +47,7 @@ std::string beyond_in_image(const CompiledScene& scene, Numeric numeric) {
         return "an orthographic camera";
     if (scene.size.columns > most_pixels || scene.size.rows > most_pixels)
         return "more than 32767 pixels in a row or column";
+    if (scene.cell_cap > most_cells) return "a cap of more than 2147483647 cells";
     if (scene.heap != heap_entries) return "a heap that has not 256 entries (--heap 256)";
     return {};
 }

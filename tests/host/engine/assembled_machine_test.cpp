@@ -155,6 +155,9 @@ TEST(AssembledMachine, what_the_program_does_not_know_is_refused) {
               "a surface that reflects");
     EXPECT_EQ(refused(tetra + "render { covers: on }", plain),
               "local covers, or a translucent object (--covers off)");
+    RenderRequest patient = plain;
+    patient.cell_cap = 0x8000'0000;
+    EXPECT_EQ(refused(tetra, patient), "a cap of more than 2147483647 cells");
     std::string many = "ifs many {\n";
     for (int i = 0; i < 30; ++i)
         many += fmt::format("newmap scale: 0.1 translate: {},{},0\n", 0.1 * i, 0.01 * i * i);
