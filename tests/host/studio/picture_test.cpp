@@ -46,7 +46,7 @@ TEST(Picture, is_the_file_that_render_writes) {
     const Picture made = render_asked(picture, 1, stop);
     test::expect_done(folder, {"render", "a.pxm", "--size", "90x150", "--samples", "4", "--set",
                                "camera.eye=0.3,0.4,-2.5", "--set", "camera.look=0,0.1,0", "--set",
-                               "camera.zoom=1.5", "-o", "a.png", "--quiet"});
+                               "camera.zoom=1.5", "-o", "a.png", "--quiet", "--no-scene"});
     EXPECT_EQ(png_bytes(made), folder.read("a.png"));
 }
 
