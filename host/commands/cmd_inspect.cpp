@@ -1,18 +1,25 @@
 // `pxm inspect SCENE`: what the scene is and what it will need, without rendering.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <system_error>
 
 #include "host/commands/cmd.hpp"
 #include "host/commands/option_checks.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/shared_options.hpp"
+#include "host/error.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/inspect/attractor_point.hpp"
 #include "host/inspect/inspect_json.hpp"
 #include "host/inspect/inspect_text.hpp"
 #include "host/inspect/inspection.hpp"
+#include "host/inspect/neighbour_files.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/process/terminal.hpp"
 #include "host/scene/carried/carried_scene.hpp"
@@ -32,7 +39,20 @@ struct InspectArguments {
     bool json = false;
     bool scene_alone = false;
     std::vector<std::string> point;
+    std::optional<long> neighbours;
 };
+
+constexpr std::uint64_t most_types = 1'000'000;
+
+/// As far as the option says; steps grow with the types, of which each has many pairs of cells.
+NeighbourLimits limits_of(const std::optional<long>& types) {
+    NeighbourLimits limits;
+    if (!types) return limits;
+    constexpr std::size_t steps_a_type = 20'000;
+    limits.types = static_cast<std::size_t>(*types);
+    limits.steps = std::max(limits.steps, limits.types * steps_a_type);
+    return limits;
+}
 
 void put(const std::string& text, const std::string& out) {
     if (out.empty()) {
@@ -42,9 +62,31 @@ void put(const std::string& text, const std::string& out) {
     }
 }
 
+/// `--neighbours` makes a folder of the place that `-o` names.
+bool writes_graphs(const InspectArguments& arguments) {
+    return arguments.neighbours && !arguments.json && !arguments.out.empty();
+}
+
+void write_graphs(const Inspection& found, const std::string& folder) {
+    const std::vector<NeighbourFile> files = neighbour_files(found);
+    if (files.empty())
+        throw Error(
+            ErrorKind::scene,
+            "no system of the scene has neighbours that were found finite: nothing to write");
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed || !std::filesystem::is_directory(folder, failed))
+        throw Error(ErrorKind::file,
+                    fmt::format("cannot make the folder \"{}\"", printable_path(folder)));
+    for (const NeighbourFile& file : files) {
+        write_text_safely((std::filesystem::path(folder) / file.name).string(), file.text);
+        put_result(file.name + "\n");
+    }
+}
+
 ExitCode inspect_scene(const InspectArguments& arguments) {
     const Settings settings = parse_settings(arguments.set);
-    if (!arguments.out.empty()) require_writable(arguments.out);
+    if (!arguments.out.empty() && !writes_graphs(arguments)) require_writable(arguments.out);
     Diagnostics diagnostics;
     const Scene scene = parse_scene(arguments.scene, settings, diagnostics, arguments.allowed);
     if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
@@ -54,10 +96,15 @@ ExitCode inspect_scene(const InspectArguments& arguments) {
         put(attractor_point(scene, arguments.point) + "\n", arguments.out);
         return ExitCode::done;
     }
-    const Inspection found = inspect(scene, arguments.scene, diagnostics);
+    const Inspection found =
+        inspect(scene, arguments.scene, diagnostics, limits_of(arguments.neighbours));
     diagnostics.throw_if_errors(scene.files);
     const std::string warnings = diagnostics.warnings_text(scene.files);
     if (!warnings.empty()) tell(warnings + "\n");
+    if (writes_graphs(arguments)) {
+        write_graphs(found, arguments.out);
+        return ExitCode::done;
+    }
     put(arguments.json ? inspect_json(found) : inspect_text(found), arguments.out);
     return ExitCode::done;
 }
@@ -103,6 +150,11 @@ AddedCommand add_inspect_command(CommandLine& line) {
                     "Print the attractor's point whose address repeats these maps")
         .delimiter(',')
         .one_value();
+    command
+        .add_option("--neighbours", a->neighbours,
+                    "Look for up to so many types of neighbours in exact numbers; default: 10000")
+        .may_lack_value("10000")
+        .transform(whole_number(1, most_types));
     add_set_option(command, a->set);
     command.add_option("-o,--out", a->out, "Write to this file; default: the standard output")
         .check(some_text());

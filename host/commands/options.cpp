@@ -108,6 +108,11 @@ Option& Option::one_value() {
     return *this;
 }
 
+Option& Option::may_lack_value(const std::string& meant) {
+    option_->expected(0, 1)->default_str(meant);
+    return *this;
+}
+
 Option& Option::delimiter(char between) {
     option_->delimiter(between);
     return *this;

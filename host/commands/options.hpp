@@ -27,6 +27,8 @@ class Option {
     Option& required();
     /// What follows the value is another argument.
     Option& one_value();
+    /// Without a value of its own it means this one.
+    Option& may_lack_value(const std::string& meant);
     /// One text may hold several values.
     Option& delimiter(char between);
     Option& excludes(const Option& other);

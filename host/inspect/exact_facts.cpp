@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include "host/inspect/exact_scene.hpp"
 
@@ -43,7 +44,9 @@ void add_exact_facts(const IfsBlock& block, const Scene* scene, const Rifs& part
     if (!open_set.value) return;
     const OpenSetCondition decided =
         *open_set.value ? OpenSetCondition::holds : OpenSetCondition::fails;
-    if (decided == facts.open_set.condition) return;
+    // What was found up to rounding gives way to what is exact.
+    const bool by_rounding = facts.open_set.why.find("up to") != std::string::npos;
+    if (decided == facts.open_set.condition && !by_rounding) return;
     facts.open_set = {decided, open_set.why};
 }
 

@@ -39,6 +39,26 @@ Json neighbours_json(const IfsFacts& ifs) {
     return json;
 }
 
+Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+void add_measure_json(const IfsFacts& ifs, Json& json) {
+    const auto& moments = ifs.moments;
+    const std::string why =
+        moments ? "of the measure by the maps' weights, from its own equation, in double"
+                : "the measure's equation does not come to rest";
+    json["centroid"] = moments ? point_json(moments->centroid) : Json(nullptr);
+    json["centroid_why"] = why;
+    json["principal_axes"] = moments ? Json::array() : Json(nullptr);
+    for (std::size_t i = 0; moments && i < moments->axes.size(); ++i)
+        json["principal_axes"].push_back(
+            {{"direction", point_json(moments->axes[i])}, {"variance", moments->variances[i]}});
+    json["principal_axes_why"] = why;
+    json["diameter"] = {
+        {"value", ifs.diameter.value},
+        {"upper", ifs.diameter.upper},
+        {"between", {point_json(ifs.diameter.between[0]), point_json(ifs.diameter.between[1])}}};
+}
+
 }  // namespace
 
 void add_exact_json(const IfsFacts& ifs, Json& json) {
@@ -63,6 +83,7 @@ void add_exact_json(const IfsFacts& ifs, Json& json) {
     json["boundary"] = {{"dimension", value_json(exact.boundary)}, {"why", exact.boundary.why}};
     add(json, "interior", exact.interior);
     add(json, "volume", exact.volume);
+    add_measure_json(ifs, json);
 }
 
 }  // namespace pxm::host

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/inspect/exact_text.hpp"
 #include "host/inspect/inspect_names.hpp"
 #include "host/text/printable.hpp"
 #include "host/text/six_digits.hpp"
@@ -158,6 +159,7 @@ void add_ifs(const IfsFacts& ifs, std::string& text) {
     line(text, "totally disconnected",
          fmt::format("{}: {}", disconnected ? (*disconnected ? "yes" : "no") : "unknown",
                      ifs.disconnected.why));
+    text += exact_text(ifs);
 }
 
 void add_object(const ObjectFacts& object, std::string& text) {

@@ -9,6 +9,7 @@
 #include "host/compile/volumes.hpp"
 #include "host/fractal/bounds/affine_hull.hpp"
 #include "host/fractal/bounds/inner_points.hpp"
+#include "host/fractal/dimension/default_weights.hpp"
 #include "host/fractal/system/rifs.hpp"
 #include "host/inspect/exact_facts.hpp"
 #include "host/process/granted_threads.hpp"
@@ -86,6 +87,17 @@ ObjectFacts inspect_object(const ObjectBlock& object, const Scene& scene,
     return facts;
 }
 
+/// Of the maps of `part`: the scene's, or what spreads the measure evenly.
+std::vector<double> weights_of(const IfsBlock& block, const Rifs& rifs, const Rifs& part) {
+    std::vector<double> weights = natural_weights(part);
+    for (std::size_t m = 0; m < weights.size(); ++m) {
+        const auto place = std::ranges::find(rifs.map_names, part.map_names[m]);
+        const MapBlock& map = block.maps[static_cast<std::size_t>(place - rifs.map_names.begin())];
+        if (map.weight) weights[m] = *map.weight;
+    }
+    return weights;
+}
+
 }  // namespace
 
 std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnostics,
@@ -120,6 +132,8 @@ std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnost
     facts.disconnected = decide_disconnected(plain, bounds, facts.dimensions.upper);
     add_exact_topology(facts);
     add_topology(facts.dimensions, facts.disconnected.totally_disconnected);
+    facts.moments = moments(part, weights_of(block, facts.rifs, part));
+    facts.diameter = diameter(part, bounds, inner_points(part));
     return facts;
 }
 

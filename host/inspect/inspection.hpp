@@ -12,6 +12,8 @@
 #include "host/fractal/dimension/dimension.hpp"
 #include "host/fractal/dimension/disconnected.hpp"
 #include "host/fractal/dimension/open_set.hpp"
+#include "host/fractal/measure/diameter.hpp"
+#include "host/fractal/measure/moments.hpp"
 #include "host/fractal/neighbours/exact_findings.hpp"
 #include "host/fractal/system/contraction.hpp"
 #include "host/fractal/system/graph_facts.hpp"
@@ -44,6 +46,8 @@ struct IfsFacts {
     DisconnectedFinding disconnected;      // whether its attractor is
     ExactFindings exact;                   // what is decided in the scene's very numbers
     std::vector<std::string> exact_names;  // of the maps that its numbers stand for
+    std::optional<Moments> moments;        // of the measure by the maps' weights
+    Diameter diameter;
 };
 
 /// The bounding volume of an object, as declared and as used.

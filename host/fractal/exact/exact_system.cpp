@@ -343,4 +343,19 @@ ExactSystem exact_system(WrittenMaps written, const Rifs& rifs) {
     return system;
 }
 
+std::optional<std::vector<Polynomial>> kernel_vector(
+    const ExactSystem& system, const std::vector<std::vector<Polynomial>>& rows) {
+    const Arithmetic with(system.numbers);
+    Basis basis;
+    for (const Vector& row : rows) basis.add(with, row);
+    if (basis.rows.size() + 1 != rows.size()) return std::nullopt;
+    std::size_t free = 0;  // the column that no row begins in
+    while (std::ranges::find(basis.columns, free) != basis.columns.end()) ++free;
+    std::vector<Polynomial> kernel(rows.size());
+    kernel[free] = Polynomial(1);
+    for (std::size_t i = 0; i < basis.rows.size(); ++i)
+        kernel[basis.columns[i]] = Polynomial(0) - basis.rows[i][free];
+    return kernel;
+}
+
 }  // namespace pxm::host::exact

@@ -41,4 +41,8 @@ struct ExactSystem {
 /// the maps rounded; maps that do not agree with these are refused.
 [[nodiscard]] ExactSystem exact_system(WrittenMaps written, const Rifs& rifs);
 
+/// A vector that the square matrix, given by rows, takes to zero, if there is one up to a factor.
+[[nodiscard]] std::optional<std::vector<Polynomial>> kernel_vector(
+    const ExactSystem& system, const std::vector<std::vector<Polynomial>>& rows);
+
 }  // namespace pxm::host::exact

@@ -15,7 +15,7 @@ namespace pxm::host::exact {
 
 namespace {
 
-constexpr long largest_degree = 12;  // of the whole field over the rationals
+constexpr long largest_degree = 8;   // of the whole field over the rationals
 constexpr long largest_norm = 36;    // degree of what is factored for one more number
 constexpr long bits = 6'800;         // of balls: 2,000 digits and more
 constexpr long most_shifts = 40;     // primitive elements tried
@@ -382,13 +382,18 @@ void NumberField::expect_turns(long order) {
     const long together = std::lcm(order, inside_->order);
     if (together == inside_->order) return;
     if (together > largest_order) throw NotExact{"the number field is too large"};
-    // That of cos(2 pi / n); the other turns' are Chebyshev's polynomials in it.
+    // That of cos(2 pi / n); the other turns' are Chebyshev's polynomials in it. Twice the cosine
+    // is an algebraic integer, which keeps numbers short.
     fmpz_poly_t minimal;
     fmpz_poly_init(minimal);
     arith_cos_minpoly(minimal, static_cast<ulong>(together));
     Over g;
-    for (long i = 0; i < fmpz_poly_length(minimal); ++i)
-        fmpq_poly_set_fmpz(g.emplace_back().get(), minimal->coeffs + i);
+    const long degree = fmpz_poly_degree(minimal);
+    for (long i = 0; i <= degree; ++i) {
+        Whole c;
+        fmpz_mul_2exp(c.get(), minimal->coeffs + i, static_cast<ulong>(degree - i));
+        fmpq_poly_set_fmpz(g.emplace_back().get(), c.get());
+    }
     fmpz_poly_clear(minimal);
     if (static_cast<long>(g.size()) - 1 > largest_degree)
         throw NotExact{"the number field is too large"};
@@ -396,7 +401,11 @@ void NumberField::expect_turns(long order) {
     Fraction twice;
     fmpq_set_si(twice.get(), 2, static_cast<ulong>(together));
     arb_cos_pi_fmpq(ball.get(), twice.get(), bits);
-    inside_->cosine = inside_->adjoin(g, ball);
+    arb_mul_2exp_si(ball.get(), ball.get(), 1);
+    const Algebraic doubled = inside_->adjoin(g, ball);
+    Algebraic half{0, Polynomial(1)};
+    fmpq_poly_scalar_div_si(half.value.get(), half.value.get(), 2);
+    inside_->cosine = multiply(doubled, half);
     inside_->order = together;
 }
 

@@ -17,7 +17,7 @@ namespace pxm::host {
 
 namespace {
 
-constexpr std::size_t most_states = 100'000;  // of words without duplicates
+constexpr std::size_t most_states = 20'000;  // of words without duplicates
 
 class Findings {
   public:
@@ -79,10 +79,31 @@ class Findings {
             if (!type.identity) ++found_.touching;
         }
         found_.finite.why = fmt::format("closed under descent: {} types that touch", found_.types);
+        add_types();
         std::set<std::array<int, 2>> pairs;
         for (const NeighbourEdge& e : graph_.own[static_cast<std::size_t>(rifs_.start)])
             pairs.insert({std::min(e.first, e.second), std::max(e.first, e.second)});
         found_.touching_maps.assign(pairs.begin(), pairs.end());
+    }
+
+    void add_types() {
+        std::vector<int> number(graph_.types.size(), -1);
+        int next = 0;
+        for (std::size_t t = 0; t < number.size(); ++t)
+            if (graph_.types[t].touches) number[t] = next++;
+        const auto entries = static_cast<std::size_t>(found_.dimensions * (found_.dimensions + 1));
+        for (const NeighbourType& type : graph_.types) {
+            if (!type.touches) continue;
+            TouchingType& kept = found_.graph.emplace_back();
+            kept.first = type.first;
+            kept.second = type.second;
+            kept.identity = type.identity;
+            const auto rounded = type.map.rounded(system_.field);
+            kept.entries.assign(rounded.entry, rounded.entry + entries);
+            for (const NeighbourEdge& e : type.edges)
+                kept.edges.push_back({e.first, e.second, number[static_cast<std::size_t>(e.to)]});
+        }
+        found_.axes = system_.axes;
     }
 
     void add_overlaps() {
@@ -119,22 +140,12 @@ class Findings {
             found_.open_set = {std::nullopt, unfinished()};
         } else if (!similar()) {
             found_.open_set = {std::nullopt, "not every map is a similitude"};
-        } else if (mixed_identity()) {
-            found_.open_set = {std::nullopt, "pieces of different kinds coincide in place"};
         } else {
             found_.open_set = {true,
                                fmt::format("{} neighbours, none of them the identity, in exact "
                                            "numbers [BG92] [DE05]",
                                            found_.touching)};
         }
-    }
-
-    /// Whether different follow sets lie against each other by no map.
-    [[nodiscard]] bool mixed_identity() const {
-        const exact::ExactMap identity = exact::ExactMap::identity(system_.field);
-        return std::ranges::any_of(graph_.types, [&](const NeighbourType& type) {
-            return type.touches && type.map == identity;
-        });
     }
 
     /// Whether the images of a follow set's maps hang together by common points.
@@ -239,14 +250,9 @@ class Findings {
     /// The sign of (the sum of the volume ratios) - 1. Of one follow set.
     [[nodiscard]] int volume_excess() const {
         exact::Polynomial sum(-1);
-        for (const exact::Polynomial& det : system_.volume_ratio) {
-            exact::Algebraic a = system_.numbers.lifted(exact::whole(0));
-            a.value = det;
-            sum = system_.numbers.sign(a) < 0 ? sum - det : sum + det;
-        }
-        exact::Algebraic total = system_.numbers.lifted(exact::whole(0));
-        total.value = sum;
-        return system_.numbers.sign(total);
+        for (const exact::Polynomial& det : system_.volume_ratio)
+            sum = sign(det) < 0 ? sum - det : sum + det;
+        return sign(sum);
     }
 
     void empty_inside(const std::string& why) {
@@ -255,14 +261,15 @@ class Findings {
     }
 
     void add_interior() {
-        if (!whole_) return add_interior_of_graph();
-        const int excess = volume_excess();
-        if (excess < 0) return empty_inside("the maps' volumes add up to less than the whole's");
-        const bool overlap = found_.overlaps.value.value_or(false);
-        if (excess == 0 && overlap)
-            return empty_inside(
-                "the maps' volumes add up to the whole's, and two words are the same map");
-        if (excess == 0 && found_.open_set.value.value_or(false)) {
+        if (whole_) {
+            const int excess = volume_excess();
+            if (excess < 0)
+                return empty_inside("the maps' volumes add up to less than the whole's");
+            if (excess == 0 && found_.overlaps.value.value_or(false))
+                return empty_inside(
+                    "the maps' volumes add up to the whole's, and two words are the same map");
+        }
+        if (found_.open_set.value.value_or(false) && volumes_balance()) {
             found_.interior = {true,
                                "the open-set condition holds and the maps' volumes add up to the "
                                "whole's [Schief94]"};
@@ -270,6 +277,34 @@ class Findings {
             return;
         }
         add_interior_of_graph();
+    }
+
+    /// Whether the follow sets can have positive volumes of which each is the sum of its maps'
+    /// images: a positive vector v with v_s = sum of |det m| v_t over the maps m of s.
+    [[nodiscard]] bool volumes_balance() const {
+        constexpr std::size_t most = 60;  // follow sets: elimination takes their third power
+        const std::size_t n = rifs_.follow_sets.size();
+        if (n > most || !(whole_ || strong_)) return false;
+        std::vector<std::vector<exact::Polynomial>> rows(n, std::vector<exact::Polynomial>(n));
+        for (std::size_t s = 0; s < n; ++s) {
+            rows[s][s] = exact::Polynomial(-1);
+            for (const int m : rifs_.follow_sets[s].maps) {
+                const auto map = static_cast<std::size_t>(m);
+                const exact::Polynomial& det = system_.volume_ratio[map];
+                exact::Polynomial& at = rows[s][static_cast<std::size_t>(rifs_.follow_of[map])];
+                at = sign(det) < 0 ? at - det : at + det;
+            }
+        }
+        const auto kernel = exact::kernel_vector(system_, rows);
+        return kernel && std::ranges::all_of(*kernel, [&](const exact::Polynomial& p) {
+                   return sign(p) == sign(kernel->front()) && sign(p) != 0;
+               });
+    }
+
+    [[nodiscard]] int sign(const exact::Polynomial& p) const {
+        exact::Algebraic a = system_.numbers.lifted(exact::whole(0));
+        a.value = p;
+        return system_.numbers.sign(a);
     }
 
     void add_interior_of_graph() {

@@ -26,14 +26,26 @@ struct Decided {
     std::string why;
 };
 
+/// A type of neighbours: E_first against map(E_second).
+struct TouchingType {
+    int first = 0;  // follow sets
+    int second = 0;
+    bool identity = false;
+    std::vector<double> entries;  // rounded, by rows, each with its translation at the end
+    /// Maps within the first and the second cell, -1 for none, and the type that they lead to.
+    std::vector<std::array<int, 3>> edges;
+};
+
 struct ExactFindings {
     std::string numbers;  // what the maps' numbers are, or why they are not had exactly
     int degree = 0;       // of the number field; 0: exact numbers are not had
     int dimensions = 3;   // of the affine subspace that the attractor lies in
 
-    Decided<bool> finite;      // are there finitely many types of neighbours?
-    std::size_t types = 0;     // that touch, the identity included if cells coincide
-    std::size_t touching = 0;  // those that are not the identity
+    Decided<bool> finite;              // are there finitely many types of neighbours?
+    std::size_t types = 0;             // that touch, the identity included if cells coincide
+    std::size_t touching = 0;          // those that are not the identity
+    std::array<int, 3> axes{0, 1, 2};  // coordinates that the types' maps are in
+    std::vector<TouchingType> graph;   // if it is finite
     std::vector<std::array<int, 2>> touching_maps;  // of the start: images with a common point
 
     Decided<bool> overlaps;  // are two words the same map?

@@ -1,0 +1,107 @@
+#include "host/fractal/measure/diameter.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <queue>
+
+#include "host/math/lipschitz.hpp"
+
+namespace pxm::host {
+
+namespace {
+
+constexpr double tolerance = 1e-6;  // of the diameter
+constexpr long budget = 100'000;    // pairs of cells
+constexpr double rounding = 1e-12;  // of a cell's size, of composed maps
+
+struct Cell {
+    Affine map;
+    int set = 0;
+    glm::dvec3 center{0.0};
+    double radius = 0;
+    glm::dvec3 point{0.0};  // of the attractor
+};
+
+struct Pair {
+    double upper = 0;
+    Cell first;
+    Cell second;
+    bool operator<(const Pair& other) const { return upper < other.upper; }
+};
+
+class Search {
+  public:
+    Search(const Rifs& rifs, const std::vector<Bounds>& bounds,
+           const std::vector<std::vector<glm::dvec3>>& inner)
+        : rifs_(rifs), bounds_(bounds), inner_(inner) {}
+
+    Diameter run() {
+        const auto& points = inner_[static_cast<std::size_t>(rifs_.start)];
+        for (const glm::dvec3& a : points)
+            for (const glm::dvec3& b : points) know(a, b);
+        const Cell whole = cell({}, rifs_.start);
+        meet(whole, whole);
+        long looked = 0;
+        while (!pairs_.empty()) {
+            const Pair pair = pairs_.top();
+            found_.upper = pair.upper;
+            if (pair.upper <= found_.value * (1 + tolerance) || looked > budget) break;
+            pairs_.pop();
+            for (const Cell& a : children(pair.first)) {
+                for (const Cell& b : children(pair.second)) meet(a, b);
+            }
+            looked = count_;
+        }
+        found_.upper = std::max(found_.upper, found_.value);
+        return found_;
+    }
+
+  private:
+    [[nodiscard]] Cell cell(const Affine& map, int set) const {
+        const auto s = static_cast<std::size_t>(set);
+        const Ball& ball = bounds_[s].ball;
+        const double lip = lipschitz_constant(map);
+        const glm::dvec3 center = map.point(ball.center);
+        return {map, set, center,
+                (lip * ball.radius + rounding * glm::length(center)) * (1 + rounding),
+                map.point(inner_[s].front())};
+    }
+
+    [[nodiscard]] std::vector<Cell> children(const Cell& of) const {
+        std::vector<Cell> cells;
+        for (const int m : rifs_.follow_sets[static_cast<std::size_t>(of.set)].maps)
+            cells.push_back(cell(then(rifs_.maps[static_cast<std::size_t>(m)], of.map),
+                                 rifs_.follow_of[static_cast<std::size_t>(m)]));
+        return cells;
+    }
+
+    void know(const glm::dvec3& a, const glm::dvec3& b) {
+        const double far = glm::distance(a, b);
+        if (far <= found_.value) return;
+        found_.value = far;
+        found_.between = {a, b};
+    }
+
+    void meet(const Cell& a, const Cell& b) {
+        ++count_;
+        know(a.point, b.point);
+        const double upper = glm::distance(a.center, b.center) + a.radius + b.radius;
+        if (upper > found_.value) pairs_.push({upper, a, b});
+    }
+
+    const Rifs& rifs_;
+    const std::vector<Bounds>& bounds_;
+    const std::vector<std::vector<glm::dvec3>>& inner_;
+    std::priority_queue<Pair> pairs_;
+    Diameter found_;
+    long count_ = 0;
+};
+
+}  // namespace
+
+Diameter diameter(const Rifs& rifs, const std::vector<Bounds>& bounds,
+                  const std::vector<std::vector<glm::dvec3>>& inner) {
+    return Search(rifs, bounds, inner).run();
+}
+
+}  // namespace pxm::host

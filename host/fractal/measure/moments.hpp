@@ -1,0 +1,28 @@
+// The mean and the spread of the measure that a random descent leaves on an attractor
+// [Hutchinson81]: in a follow set, map m has probability weight_m over the sum of the set's
+// weights. Both obey the measure's own equation, mu = sum of p_m mu(w_m^-1), so that no point is
+// drawn.
+#pragma once
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "host/fractal/system/rifs.hpp"
+
+namespace pxm::host {
+
+struct Moments {
+    glm::dvec3 centroid{0.0};
+    glm::dmat3 covariance{0.0};
+    std::array<glm::dvec3, 3> axes{};   // unit; the one of the largest variance first
+    std::array<double, 3> variances{};  // along them
+};
+
+/// Of what may stand at the start. Nothing if the sums do not come to rest. Precondition: the
+/// system contracts; every follow set has a map of positive weight.
+[[nodiscard]] std::optional<Moments> moments(const Rifs& rifs, const std::vector<double>& weights);
+
+}  // namespace pxm::host
