@@ -3,6 +3,8 @@
 add_library(pxm_flags INTERFACE)
 target_compile_options(pxm_flags INTERFACE
     $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wconversion> $<BUILD_INTERFACE:-Wshadow>
+    # What g++ means by -Wconversion: clang counts signs, too.
+    $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>>
     -ffp-contract=off
     $<BUILD_INTERFACE:$<$<BOOL:${PXM_WARNINGS_AS_ERRORS}>:-Werror>>)
 target_compile_features(pxm_flags INTERFACE cxx_std_20)

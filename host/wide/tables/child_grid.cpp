@@ -17,7 +17,8 @@ std::vector<double> values_of(const HomothetyTable& children, int row) {
     std::vector<double> values(numbers, numbers + children.count);
     std::ranges::sort(values);
     const auto close = [](double a, double b) { return b - a <= rounding; };
-    values.erase(std::ranges::unique(values, close).begin(), values.end());
+    // Not of std::ranges: clang-14 does not know the ranges that g++ 12's library returns.
+    values.erase(std::unique(values.begin(), values.end(), close), values.end());
     return values;
 }
 
