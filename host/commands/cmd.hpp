@@ -27,8 +27,6 @@ struct AddedCommand {
 [[nodiscard]] AddedCommand add_check_command(CommandLine& line);
 /// `pxm points SCENE -n N -o OUT.ply`.
 [[nodiscard]] AddedCommand add_points_command(CommandLine& line);
-/// `pxm export SCENE -o FILE --levels N`.
-[[nodiscard]] AddedCommand add_export_command(CommandLine& line);
 /// `pxm inspect SCENE [--json] [-o FILE]`.
 [[nodiscard]] AddedCommand add_inspect_command(CommandLine& line);
 /// `pxm compare A B`.

@@ -24,8 +24,6 @@ constexpr Example examples[] = {
     {"inspect", "pxm inspect menger --json -o menger.json", "the same for programs"},
     {"points", "pxm points tetra -n 1000000 -o tetra.ply", "a million points"},
     {"points", "pxm points tetra -n 1000 --seed 7 -o other.ply", "a thousand others"},
-    {"export", "pxm export menger -o menger.glb --levels 4", "160,000 places of one cube"},
-    {"export", "pxm export tetra -o tetra.stl --detail 0.05 --scale 40", "for a printer"},
     {"import", "pxm import fractint.ifs --entry fern", "one entry, to fern.pxm"},
     {"import", "pxm import leaf.png --maps 6 -o leaf.pxm", "six maps that make about this picture"},
     {"compare", "pxm compare a.exr b.exr", "exit code 0 if no pixel differs"},
