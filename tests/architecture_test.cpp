@@ -77,7 +77,7 @@ const Floors all_floors[] = {
       {"node_program"},
       {"engine"},
       {"compile", "wide", "output", "openimageio", "openexr"},
-      {"import"},
+      {"import", "export"},
       {"render"},
       {"parts"},
       {"inspect"},

@@ -31,11 +31,11 @@ bool asks_for_json(int argc, const char* const* argv) {
 
 std::vector<AddedCommand> add_commands(CommandLine& line) {
     std::vector<AddedCommand> commands{
-        add_render_command(line),  add_join_command(line),   add_check_command(line),
-        add_inspect_command(line), add_points_command(line), add_import_command(line),
-        add_compare_command(line), add_study_command(line),  add_models_command(line),
-        add_asm_command(line),     add_studio_command(line), add_completion_command(line),
-        add_manual_command(line)};
+        add_render_command(line),     add_join_command(line),    add_check_command(line),
+        add_inspect_command(line),    add_points_command(line),  add_import_command(line),
+        add_export_command(line),     add_compare_command(line), add_study_command(line),
+        add_models_command(line),     add_asm_command(line),     add_studio_command(line),
+        add_completion_command(line), add_manual_command(line)};
     line.name_values(value_names());
     return commands;
 }

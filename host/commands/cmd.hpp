@@ -33,6 +33,8 @@ struct AddedCommand {
 [[nodiscard]] AddedCommand add_compare_command(CommandLine& line);
 /// `pxm import FILE [-o SCENE]`.
 [[nodiscard]] AddedCommand add_import_command(CommandLine& line);
+/// `pxm export SCENE -o OUT`.
+[[nodiscard]] AddedCommand add_export_command(CommandLine& line);
 /// `pxm study KIND SCENE... -o DIR`.
 [[nodiscard]] AddedCommand add_study_command(CommandLine& line);
 /// `pxm studio [SCENE]`.

@@ -26,6 +26,8 @@ constexpr Example examples[] = {
     {"points", "pxm points tetra -n 1000 --seed 7 -o other.ply", "a thousand others"},
     {"import", "pxm import fractint.ifs --entry fern", "one entry, to fern.pxm"},
     {"import", "pxm import leaf.png --maps 6 -o leaf.pxm", "six maps that make about this picture"},
+    {"export", "pxm export menger -o menger.glb --levels 3", "8,000 cubes as instances"},
+    {"export", "pxm export menger -o menger.stl --levels 2 --scale 30", "for a printer, in mm"},
     {"compare", "pxm compare a.exr b.exr", "exit code 0 if no pixel differs"},
     {"compare", "pxm compare a.exr b.exr --tolerance 0.001", "one in a thousand may differ"},
     {"study", "pxm study balance menger tetra -o report", "who waits for whom on the machine"},

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "host/engine/aov.hpp"
+#include "host/export/export_format.hpp"
 #include "host/scene/words.hpp"
 #include "pxm/model.hpp"
 
@@ -75,6 +76,10 @@ std::vector<ValueName> value_names() {
         {"import", "file", "FILE"},
         {"import", "--out", "FILE.pxm"},
         {"import", "--entry", "ENTRY"},
+        {"export", "--out", "FILE"},
+        {"export", "--format", export_format_words()},
+        {"export", "--shape", "auto|ball|box|oriented|hull|FILE"},
+        {"export", "--detail", "LENGTH"},
         {"compare", "a", "FILE.exr"},
         {"compare", "b", "FILE.exr"},
         {"study", "kind", "balance|error|stability|shading"},

@@ -1,0 +1,76 @@
+// What is known of the cells before the first of them is written: how many there are and of which
+// kinds, the box around them, and what files need to know.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/export/export_scene.hpp"
+#include "host/output/cloud_extent.hpp"
+#include "host/process/progress.hpp"
+
+namespace pxm::host {
+
+/// A signal asked for the end.
+struct ExportStopped {};
+
+/// Counts what was visited, for the progress and for signals.
+class Watch {
+  public:
+    Watch(Progress& progress, const std::atomic<bool>& stop) : progress_(progress), stop_(stop) {}
+
+    /// Of `cells` visits in all; before the first of them.
+    void expect(std::uint64_t cells) { expected_ = cells; }
+    /// Throws ExportStopped once a signal came.
+    void visit() {
+        if ((++visited_ & 0xfffU) == 0) look();
+    }
+
+  private:
+    void look();
+
+    Progress& progress_;
+    const std::atomic<bool>& stop_;
+    std::uint64_t expected_ = 0;
+    std::uint64_t visited_ = 0;
+};
+
+/// The cells of one object that end with one set's shape.
+struct SetTally {
+    std::uint64_t cells = 0;
+    bool turned = false;   // some are not along the axes
+    bool sheared = false;  // some are no turn, stretch along axes and move
+    bool mirrored = false;
+    glm::dvec3 low{0.0};  // of their vertices
+    glm::dvec3 high{0.0};
+};
+
+struct Tally {
+    std::vector<std::vector<SetTally>> systems;  // as those of the scene, and their sets
+    std::uint64_t cells = 0;
+    std::uint64_t vertices = 0;
+    std::uint64_t faces = 0;
+    std::uint64_t triangles = 0;
+    glm::dvec3 low{0.0};
+    glm::dvec3 high{0.0};
+    bool colored = false;  // not all of one colour
+    CoordinateNumber number = CoordinateNumber::single;
+};
+
+/// Visits every cell once. Throws Error(ErrorKind::scene) where words do not end.
+[[nodiscard]] Tally tally_of(const ExportScene& scene, Watch& watch);
+
+/// Calls visit(system, cell) for each cell of every object, with its numbers.
+template <class Visit>
+void for_each_cell(const ExportScene& scene, Watch& watch, const Visit& visit) {
+    for (const ExportSystem& system : scene.systems)
+        (void)for_each_cell(system, [&](const Cell& cell) {
+            watch.visit();
+            visit(system, cell);
+        });
+}
+
+}  // namespace pxm::host
