@@ -149,7 +149,10 @@ struct WalkedRay {
 /// How much a ray's cells face a point light.
 inline float face_lamp(const WideScene& scene, Workspace& work, const WalkedRay& walked,
                        const CompiledLight& light) {
-    const auto& [path, weights, lane, entered] = walked;
+    const Path& path = walked.path;
+    const PathWeights& weights = walked.weights;
+    const int lane = walked.lane;
+    const bool entered = walked.entered;
     const HitLanes& t = work.hit_lanes;
     const int ray = t.rays[static_cast<std::size_t>(lane)];
     const WideObject& object = scene.objects[static_cast<std::size_t>(path.object)];
