@@ -4,6 +4,7 @@
 
 #include "host/compiled/bounding_volume.hpp"
 #include "host/engine/engine.hpp"
+#include "host/process/give_up.hpp"
 
 namespace pxm::host {
 
@@ -81,6 +82,7 @@ double trial_cost(const CompiledShape& shape, std::uint32_t levels) {
     scene.objects.push_back(object);
     double tests = 0;
     for (const glm::dvec3& direction : directions) {
+        give_up_if_asked();
         scene.camera = view_along(direction, rays_a_side);
         tests += static_cast<double>(
             run_reference(scene, {nullptr, Numeric::double_, 1}, {}).rays.volumes_tested);
@@ -96,6 +98,7 @@ double mean_coverage(const CompiledShape& shape, std::size_t set,
         scene.objects[0].levels = levels;
         double sum = 0;
         for (const glm::dvec3& direction : views) {
+            give_up_if_asked();
             scene.camera = view_along(direction, static_cast<double>(scene.size.columns));
             scene.camera.pixel_at_eye = seen_in_volume;
             sum += static_cast<double>(
