@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host/fractal/system/components.hpp"
+#include "host/process/give_up.hpp"
 #include "host/text/digest.hpp"
 
 namespace pxm::host {
@@ -140,6 +141,7 @@ void add_follow_sets(const IfsBlock& block, MapNames& names, FollowSets& sets, R
     }
     int everything = -1;  // the set of all maps, made when the first map needs it
     for (std::size_t m = 0; m < rifs.maps.size(); ++m) {
+        give_up_if_asked();
         if (followers[m].first_rule == nullptr) {
             if (everything < 0) everything = sets.add(all_maps(rifs));
             rifs.follow_of.push_back(everything);

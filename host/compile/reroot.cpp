@@ -7,6 +7,7 @@
 
 #include "host/compile/extent.hpp"
 #include "host/math/lipschitz.hpp"
+#include "host/process/give_up.hpp"
 
 namespace pxm::host {
 
@@ -161,6 +162,7 @@ class Rerooting {
         }
         const int around = static_cast<int>(replaced_.size());
         replaced_.push_back({cell.place, cell.set, cell.around, cell.constant, {}});
+        give_up_if_asked();
         for (const int index : set.maps) visit(child(cell, index, around));
     }
 

@@ -10,6 +10,7 @@
 #include "host/fractal/bounds/farthest.hpp"
 #include "host/fractal/bounds/support.hpp"
 #include "host/math/rounding.hpp"
+#include "host/process/give_up.hpp"
 
 namespace pxm::host {
 
@@ -138,6 +139,7 @@ std::vector<double> short_by(const Rifs& rifs, const std::vector<Bounds>& bounds
     const Approximation known = approximation(rifs, bounds);
     std::vector<double> by;
     for (std::size_t set = 0; set < bounds.size(); ++set) {
+        give_up_if_asked();
         by.push_back(short_by(Excess(rifs, known, bounds[set], static_cast<int>(set)), volume));
     }
     return by;

@@ -4,6 +4,7 @@
 
 #include "host/compiled/bounding_volume.hpp"
 #include "host/engine/engine.hpp"
+#include "host/process/give_up.hpp"
 
 namespace pxm::host {
 
@@ -82,6 +83,7 @@ Trial::Trial(const CompiledShape& shape, std::uint32_t levels)
 
 /// A row of one side's rays.
 void Trial::go_on() {
+    give_up_if_asked();
     const long row = next_ % rays_a_side;
     scene_.camera = view_along(directions[next_ / rays_a_side], rays_a_side);
     scene_.crop = {0, row, rays_a_side, row + 1};
@@ -113,6 +115,7 @@ double mean_coverage(const CompiledShape& shape, std::size_t set,
         scene.objects[0].levels = levels;
         double sum = 0;
         for (const glm::dvec3& direction : views) {
+            give_up_if_asked();
             scene.camera = view_along(direction, static_cast<double>(scene.size.columns));
             scene.camera.pixel_at_eye = seen_in_volume;
             sum += static_cast<double>(

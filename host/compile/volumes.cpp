@@ -13,6 +13,7 @@
 #include "host/compile/trial.hpp"
 #include "host/compiled/bounding_volume.hpp"
 #include "host/math/lipschitz.hpp"
+#include "host/process/give_up.hpp"
 
 namespace pxm::host {
 
@@ -54,6 +55,7 @@ class Choice {
     Volumes of_kind(kernels::Volume kind) {
         Volumes volumes;
         for (std::size_t set = 0; set < bounds_.size(); ++set) {
+            give_up_if_asked();
             volumes.push_back(computer_.make(kind, set));
         }
         return volumes;

@@ -8,6 +8,7 @@
 #include "host/engine/engine.hpp"
 #include "host/engine/gather.hpp"
 #include "host/engine/node_records.hpp"
+#include "host/engine/node_watch.hpp"
 #include "host/error.hpp"
 #include "host/node_program/instances.hpp"
 #include "host/process/phase_clock.hpp"
@@ -147,6 +148,7 @@ class LoadedMachine : public LoadedScene {
         const WantedUnits wanted(work, machine.nodes().size());
         std::atomic<std::size_t> done = 0;
         std::atomic<bool> stopped = false;
+        NodeWatch* const watch = NodeWatch::laid();
         const auto program = [&](Node<Real>& node) {
             clear_overflow();  // a thread begins with the flags of whoever started it
             const auto index = static_cast<std::size_t>(node.index());
@@ -175,6 +177,7 @@ class LoadedMachine : public LoadedScene {
                     const std::uint64_t now = cycles(node.tally(), choice_.costs.table);
                     record.cycles = now - cycles_before;
                     cycles_before = now;
+                    if (watch != nullptr) watch->tell(index, now);
                     const std::size_t finished = ++done;
                     if (control.progress && finished % 256 == 0) {
                         control.progress(static_cast<double>(finished) /

@@ -53,6 +53,24 @@ Json view_json(const SceneView& view) {
             {"radius", view.ball.radius}};
 }
 
+Json bounds_json(const Bounds& bounds) {
+    return {{"center", vector_json(bounds.ball.center)},
+            {"radius", bounds.ball.radius},
+            {"low", vector_json(bounds.box.low)},
+            {"high", vector_json(bounds.box.high)}};
+}
+
+/// What stands where, and within what: the follow sets of a system.
+Json graph_json(const SystemView& system) {
+    Json sets = Json::array();
+    for (std::size_t s = 0; s < system.bounds.size() && s < asked_maps; ++s) {
+        Json set = bounds_json(system.bounds[s]);
+        set["maps"] = system.sets[s].maps;
+        sets.push_back(set);
+    }
+    return {{"start", system.start}, {"inside", system.follow_of}, {"sets", sets}};
+}
+
 Json ifs_json(const IfsBlock& ifs, const SceneView& view) {
     Json maps = Json::array();
     for (std::size_t i = 0; i < ifs.maps.size() && i < asked_maps; ++i)
@@ -65,6 +83,9 @@ Json ifs_json(const IfsBlock& ifs, const SceneView& view) {
         json["center"] = vector_json(ball->second.center);
         json["radius"] = ball->second.radius;
     }
+    const auto system = view.systems.find(ifs.name);
+    if (system != view.systems.end() && ifs.maps.size() <= asked_maps)
+        json["graph"] = graph_json(system->second);
     return json;
 }
 
@@ -105,7 +126,28 @@ std::string error_json(const Error& error) {
           {{"kind", kind_text(error.kind())}, {"message", error.what()}, {"mistakes", mistakes}}}});
 }
 
-std::string superseded_json() { return json_text({{"superseded", true}}); }
+std::string superseded_json(double stopping_milliseconds) {
+    return json_text({{"superseded", true}, {"stopping_ms", stopping_milliseconds}});
+}
+
+std::string progress_json(const Job* job) {
+    if (job == nullptr) return json_text({{"share", nullptr}});
+    Json nodes = Json::array();
+    for (const NodeWatch::Seen& seen : job->watch.nodes())
+        nodes.push_back({seen.cycles.load(), seen.pixels.load()});
+    return json_text({{"share", job->share.load()}, {"nodes", nodes}});
+}
+
+std::string imported_json(const MadeScene& made) {
+    return json_text({{"name", made.name}, {"text", made.text}, {"messages", made.messages}});
+}
+
+std::string study_json(const StudyFindings& findings) {
+    Json tables = Json::array();
+    for (const TextFile& table : findings.tables)
+        tables.push_back({{"name", table.name}, {"text", table.text}});
+    return json_text({{"tables", tables}, {"report", findings.report}});
+}
 
 std::string opened_json(const SceneFile& file) {
     return json_text({{"text", file.text}, {"digest", file.digest}});

@@ -8,8 +8,11 @@
 
 #include "host/error.hpp"
 #include "host/render/render.hpp"
+#include "host/studio/brought_file.hpp"
+#include "host/studio/jobs.hpp"
 #include "host/studio/scene_folder.hpp"
 #include "host/studio/scene_view.hpp"
+#include "host/studio/small_study.hpp"
 
 namespace pxm::host {
 
@@ -25,8 +28,15 @@ struct StudioFacts {
 
 /// `{"error": {kind, message, mistakes: [{file, line, column, message}]}}`.
 [[nodiscard]] std::string error_json(const Error& error);
-/// What a request is told that a newer one has overtaken.
-[[nodiscard]] std::string superseded_json();
+/// What a request is told that a newer one has overtaken, or that was given up; and how long its
+/// work went on after that, 0 if it was not begun.
+[[nodiscard]] std::string superseded_json(double stopping_milliseconds);
+
+/// `{"share": 0..1, "nodes": [[cycles, pixels], ...]}`; null where nothing is being computed.
+[[nodiscard]] std::string progress_json(const Job* job);
+
+[[nodiscard]] std::string imported_json(const MadeScene& made);
+[[nodiscard]] std::string study_json(const StudyFindings& findings);
 
 [[nodiscard]] std::string opened_json(const SceneFile& file);
 [[nodiscard]] std::string saved_json(Saved saved, const std::string& digest);

@@ -61,11 +61,14 @@ std::string view_at(const Json& json) {
     return view;
 }
 
+Asking asking_of(const Json& json) {
+    constexpr long largest_serial = 1L << 52;
+    return {view_at(json), static_cast<std::uint64_t>(whole_at(json, "serial", 1, largest_serial))};
+}
+
 AskedScene scene_of(const Json& json) {
     AskedScene asked;
-    constexpr long largest_serial = 1L << 52;
-    asked.asking = {view_at(json),
-                    static_cast<std::uint64_t>(whole_at(json, "serial", 1, largest_serial))};
+    asked.asking = asking_of(json);
     asked.name = text_at(json, "name", setting_bytes);
     SceneFolder::require_name(asked.name);
     asked.text = text_at(json, "text", asked_text_bytes);
@@ -129,6 +132,33 @@ AskedFile asked_file(const std::string& body) {
     asked.name = text_at(json, "name", setting_bytes);
     if (json.contains("text")) asked.text = text_at(json, "text", asked_text_bytes);
     if (json.contains("seen")) asked.seen = text_at(json, "seen", setting_bytes);
+    return asked;
+}
+
+AskedImport asked_import(const std::string& body) {
+    const Json json = parsed(body);
+    AskedImport asked;
+    asked.asking = asking_of(json);
+    asked.file.name = text_at(json, "name", setting_bytes);
+    auto bytes = bytes_of_base64(text_at(json, "data", brought_bytes * 4 / 3 + 4));
+    if (!bytes) refuse("data", "a file's bytes in base64");
+    asked.file.bytes = *std::move(bytes);
+    if (json.contains("entry")) asked.file.entry = text_at(json, "entry", setting_bytes);
+    constexpr long most_maps = 8;
+    if (json.contains("maps"))
+        asked.file.maps = static_cast<int>(whole_at(json, "maps", 2, most_maps));
+    return asked;
+}
+
+AskedStudy asked_study(const std::string& body) {
+    const Json json = parsed(body);
+    AskedStudy asked;
+    asked.scene = scene_of(json);
+    const std::string kind = text_at(json, "kind", setting_bytes);
+    if (kind != "balance" && kind != "error") refuse("kind", "balance or error");
+    asked.kind = kind == "balance" ? StudyKind::balance : StudyKind::error;
+    constexpr long side = 320;
+    asked.size = {whole_at(json, "columns", 1, side), whole_at(json, "rows", 1, side)};
     return asked;
 }
 

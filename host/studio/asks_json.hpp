@@ -4,6 +4,8 @@
 #include <string>
 
 #include "host/studio/asks.hpp"
+#include "host/studio/brought_file.hpp"
+#include "host/studio/small_study.hpp"
 
 namespace pxm::host {
 
@@ -30,5 +32,14 @@ struct AskedFile {
     std::string seen;  // digest of what is replaced
 };
 [[nodiscard]] AskedFile asked_file(const std::string& body);
+
+/// A file from elsewhere, to be made a scene of; its bytes come in base64.
+struct AskedImport {
+    Asking asking;
+    BroughtFile file;
+};
+[[nodiscard]] AskedImport asked_import(const std::string& body);
+
+[[nodiscard]] AskedStudy asked_study(const std::string& body);
 
 }  // namespace pxm::host

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -65,7 +66,8 @@ class ToCanvas : public PictureTaker {
 
 }  // namespace
 
-Picture render_asked(const AskedPicture& asked, int threads, std::atomic<bool>& stop) {
+Picture render_asked(const AskedPicture& asked, int threads, std::atomic<bool>& stop,
+                     const std::function<void(double)>& progress) {
     Picture picture;
     if (stop) {
         picture.result.stopped = true;
@@ -75,7 +77,8 @@ Picture render_asked(const AskedPicture& asked, int threads, std::atomic<bool>& 
     const auto begin = std::chrono::steady_clock::now();
     RunControl control;
     control.stop = &stop;
-    control.progress = [&](double) {
+    control.progress = [&](double share) {
+        if (progress) progress(share);
         const auto passed = std::chrono::steady_clock::now() - begin;
         if (std::chrono::duration<double>(passed).count() <= asked_seconds) return;
         late = true;

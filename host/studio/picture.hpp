@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ struct Picture {
     std::vector<std::uint32_t> cycles;  // of the machine's pixels
 };
 
-/// Renders until `stop` is set, by others or because it takes too long. Throws as render().
-[[nodiscard]] Picture render_asked(const AskedPicture& asked, int threads, std::atomic<bool>& stop);
+/// Renders until `stop` is set, by others or because it takes too long. Throws as
+/// render(). `progress` hears the share that is done, from any thread.
+[[nodiscard]] Picture render_asked(const AskedPicture& asked, int threads, std::atomic<bool>& stop,
+                                   const std::function<void(double)>& progress = {});
 
 /// Four bytes with the length of the head, lowest first; the head; four bytes a pixel; of the
 /// machine four more a pixel, its cycles, lowest first.

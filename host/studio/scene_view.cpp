@@ -64,8 +64,11 @@ SceneView view_of(const Scene& scene, const PixelSize& size, Diagnostics& diagno
     const std::vector<ObjectBlock> objects = objects_of(scene);
     auto fractals = fractals_of(scene, objects, diagnostics);
     result.ball = ball_of(objects, fractals);
-    for (const auto& [name, fractal] : fractals)
-        result.attractors[name] = fractal.bounds[static_cast<std::size_t>(fractal.rifs.start)].ball;
+    for (const auto& [name, fractal] : fractals) {
+        const Rifs& rifs = fractal.rifs;
+        result.systems[name] = {rifs.follow_sets, fractal.bounds, rifs.follow_of, rifs.start};
+        result.attractors[name] = fractal.bounds[static_cast<std::size_t>(rifs.start)].ball;
+    }
     const View view = make_view(camera, size, result.ball, 1);
     result.eye = texts_of(camera.eye, view.eye);
     result.look = texts_of(camera.look, result.ball.center);

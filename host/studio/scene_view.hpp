@@ -6,12 +6,23 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/fractal/bounds/bounds.hpp"
+#include "host/fractal/system/rifs.hpp"
 #include "host/scene/diagnostics.hpp"
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {
+
+/// A system as the engines see it: its maps by what may stand inside them (Ch. 4), each such set
+/// within its bounds.
+struct SystemView {
+    std::vector<FollowSet> sets;
+    std::vector<Bounds> bounds;  // of each set
+    std::vector<int> follow_of;  // per map: the set of what may stand inside it
+    int start = 0;
+};
 
 struct SceneView {
     std::array<std::string, 3> eye;  // before `zoom`
@@ -22,6 +33,7 @@ struct SceneView {
     double zoom = 1;
     Ball ball;                               // around all objects
     std::map<std::string, Ball> attractors;  // of the systems that are shown, in their coordinates
+    std::map<std::string, SystemView> systems;  // the same systems
 };
 
 /// As compile() sees the scene, at that size. Systems that do not contract are added to

@@ -1,8 +1,5 @@
 #include "host/studio/studio.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <functional>
@@ -13,24 +10,21 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "host/error.hpp"
-#include "host/inspect/inspect_json.hpp"
-#include "host/inspect/inspection.hpp"
-#include "host/scene/check/check.hpp"
-#include "host/scene/default_objects.hpp"
-#include "host/scene/parse/parser.hpp"
+#include "host/process/give_up.hpp"
 #include "host/studio/answers_json.hpp"
 #include "host/studio/asks_json.hpp"
 #include "host/studio/assets.hpp"
-#include "host/studio/exact_point.hpp"
+#include "host/studio/brought_file.hpp"
 #include "host/studio/gate.hpp"
 #include "host/studio/http_server.hpp"
-#include "host/studio/picked_cell.hpp"
+#include "host/studio/jobs.hpp"
 #include "host/studio/picture.hpp"
 #include "host/studio/presence.hpp"
+#include "host/studio/scene_answers.hpp"
 #include "host/studio/scene_folder.hpp"
+#include "host/studio/small_study.hpp"
 #include "host/studio/turns.hpp"
 
 namespace pxm::host {
@@ -40,58 +34,6 @@ namespace {
 constexpr const char* json_type = "application/json";
 constexpr int most_pages = 16;
 constexpr int computing_at_once = 3;
-
-/// The scene of a text, checked.
-Scene read_scene(const AskedScene& asked, Diagnostics& diagnostics) {
-    Scene scene = parse_scene(asked.name, diagnostics, {"."}, nullptr, asked.text, asked.frame);
-    if (!diagnostics.has_errors()) check_scene(scene, diagnostics);
-    diagnostics.throw_if_errors(scene.files);
-    return scene;
-}
-
-std::string check_answer(const AskedScene& asked) {
-    Diagnostics diagnostics;
-    const Scene scene = read_scene(asked, diagnostics);
-    const PixelSize size = scene.image ? scene.image->size.value_or(PixelSize{}) : PixelSize{};
-    const SceneView view = view_of(scene, size, diagnostics);
-    diagnostics.throw_if_errors(scene.files);
-    return checked_json(scene, view, diagnostics.warnings_text(scene.files));
-}
-
-std::string inspect_answer(const AskedScene& asked) {
-    Diagnostics diagnostics;
-    const Scene scene = read_scene(asked, diagnostics);
-    std::size_t maps = 0;
-    for (const IfsBlock& ifs : scene.ifs) maps += ifs.maps.size();
-    if (maps > asked_maps)
-        throw Error(ErrorKind::failed,
-                    fmt::format("the studio inspects scenes of up to {} maps; pxm inspect has no "
-                                "such limit",
-                                asked_maps));
-    const Inspection found = inspect(scene, asked.name, diagnostics);
-    diagnostics.throw_if_errors(scene.files);
-    return inspect_json(found);
-}
-
-std::string pick_answer(const AskedPixel& asked, int threads) {
-    RenderRequest request = request_of(asked.picture, threads);
-    request.overrides.samples = 1;
-    const Scene scene = scene_of(request);
-    const auto picked = pick_cell(compiled_scene_of(request), asked.x, asked.y);
-    if (!picked) return picked_json(std::nullopt);
-    const std::vector<ObjectBlock> objects = objects_of(scene);
-    const ObjectBlock& object = objects[static_cast<std::size_t>(picked->object)];
-    PickedPlace place{object.name, object.ifs.value_or(""), {}, picked->distance, {}};
-    if (object.ifs) {
-        const auto ifs = std::ranges::find(scene.ifs, *object.ifs, &IfsBlock::name);
-        for (const int map : picked->word) {
-            const std::string& name = ifs->maps[static_cast<std::size_t>(map)].name;
-            place.word.push_back(name.empty() ? std::to_string(map + 1) : name);
-        }
-        place.point = decimal_texts(exact_point(scene, object, picked->word));
-    }
-    return picked_json(place);
-}
 
 HttpAnswer answer_of(std::string json) { return {200, json_type, std::move(json)}; }
 
@@ -129,6 +71,9 @@ class Studio::Desk {
                     {"POST /api/inspect", [this](const HttpRequest& r) { return inspect(r); }},
                     {"POST /api/picture", [this](const HttpRequest& r) { return picture(r); }},
                     {"POST /api/png", [this](const HttpRequest& r) { return png(r); }},
+                    {"POST /api/progress", [this](const HttpRequest& r) { return progress(r); }},
+                    {"POST /api/import", [this](const HttpRequest& r) { return import(r); }},
+                    {"POST /api/study", [this](const HttpRequest& r) { return study(r); }},
                     {"POST /api/pick", [this](const HttpRequest& r) { return pick(r); }},
                     {"POST /api/pixel", [this](const HttpRequest& r) { return pixel(r); }}};
         server_->start({[this](const HttpRequest& r) { return gate_.refusal(r); },
@@ -199,8 +144,15 @@ class Studio::Desk {
     template <class Work>
     HttpAnswer in_turn(const Asking& asking, const Work& work) {
         auto turn = turns_.take(asking.view, asking.serial);
-        if (!turn) return answer_of(superseded_json());
-        return work(turn->stop());
+        if (!turn) return answer_of(superseded_json(0));
+        const MayGiveUp leave(turn->stop());
+        try {
+            HttpAnswer answer = work(turn->stop());
+            if (turn->stop()) return answer_of(superseded_json(turn->stopping_milliseconds()));
+            return answer;
+        } catch (const GivenUp&) {
+            return answer_of(superseded_json(turn->stopping_milliseconds()));
+        }
     }
 
     HttpAnswer check(const HttpRequest& request) {
@@ -218,8 +170,33 @@ class Studio::Desk {
     HttpAnswer rendered(const HttpRequest& request, const Make& make) {
         const AskedPicture asked = asked_picture(request.body);
         return in_turn(asked.scene.asking, [&](std::atomic<bool>& stop) {
-            const Picture picture = render_asked(asked, settings_.threads, stop);
-            return picture.result.stopped ? answer_of(superseded_json()) : make(picture);
+            const std::size_t nodes =
+                asked.machine ? static_cast<std::size_t>(asked.machine->nodes()) : 0;
+            const auto job = jobs_.begin(asked.scene.asking.view, nodes);
+            const NodeWatch::Laid watched(nodes > 0 ? &job->watch : nullptr);
+            return make(render_asked(asked, settings_.threads, stop,
+                                     [&](double share) { job->share = share; }));
+        });
+    }
+
+    /// How far the view's picture or study is.
+    HttpAnswer progress(const HttpRequest& request) {
+        return answer_of(progress_json(jobs_.find(asked_view(request.body)).get()));
+    }
+
+    HttpAnswer import(const HttpRequest& request) {
+        const AskedImport asked = asked_import(request.body);
+        return in_turn(asked.asking, [&](std::atomic<bool>& stop) {
+            return answer_of(imported_json(scene_from(asked.file, stop)));
+        });
+    }
+
+    HttpAnswer study(const HttpRequest& request) {
+        const AskedStudy asked = asked_study(request.body);
+        return in_turn(asked.scene.asking, [&](std::atomic<bool>& stop) {
+            const auto job = jobs_.begin(asked.scene.asking.view);
+            return answer_of(study_json(study_asked(asked, settings_.threads, stop,
+                                                    [&](double share) { job->share = share; })));
         });
     }
 
@@ -254,6 +231,7 @@ class Studio::Desk {
     StudioSettings settings_;
     SceneFolder folder_;
     Turns turns_{computing_at_once};
+    Jobs jobs_;
     Presence presence_;
     std::mutex saving_;
     std::map<std::string, std::function<HttpAnswer(const HttpRequest&)>> answers_;

@@ -11,6 +11,19 @@ Turns::Turn::Turn(Turn&& other) noexcept
       view_(std::move(other.view_)),
       stop_(std::move(other.stop_)) {}
 
+/// Only the first to ask counts.
+void Turns::Stop::ask() {
+    if (asked) return;
+    since = std::chrono::steady_clock::now();
+    asked = true;
+}
+
+double Turns::Turn::stopping_milliseconds() const {
+    if (!stop_->asked) return 0;
+    const auto passed = std::chrono::steady_clock::now() - stop_->since;
+    return std::chrono::duration<double, std::milli>(passed).count();
+}
+
 Turns::Turn::~Turn() {
     if (turns_ != nullptr) turns_->end(view_);
 }
@@ -35,7 +48,7 @@ std::optional<Turns::Turn> Turns::take(const std::string& name, std::uint64_t se
     if (view == nullptr || serial <= view->newest) return std::nullopt;
     view->newest = serial;
     view->left = false;
-    *view->stop = true;
+    view->stop->ask();
     changed_.notify_all();  // those that wait for a turn of this view give up
     ++view->waiting;
     changed_.wait(lock, [&] {
@@ -48,7 +61,7 @@ std::optional<Turns::Turn> Turns::take(const std::string& name, std::uint64_t se
     }
     view->running = true;
     --free_;
-    view->stop = std::make_shared<std::atomic<bool>>(false);
+    view->stop = std::make_shared<Stop>();
     return Turn(*this, name, view->stop);
 }
 
@@ -74,7 +87,7 @@ void Turns::leave(const std::string& views) {
     for (auto& [name, view] : views_) {
         if (!name.starts_with(views)) continue;
         view.left = true;
-        *view.stop = true;
+        view.stop->ask();
         names.push_back(name);
     }
     for (const std::string& name : names) forget_if_idle(name);
@@ -84,7 +97,7 @@ void Turns::leave(const std::string& views) {
 void Turns::close() {
     const std::lock_guard lock(mutex_);
     closed_ = true;
-    for (auto& [name, view] : views_) *view.stop = true;
+    for (auto& [name, view] : views_) view.stop->ask();
     changed_.notify_all();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <map>
@@ -20,21 +21,30 @@ class Turns {
     /// `at_once`: how many compute at the same time, of all pages.
     explicit Turns(int at_once) : free_(at_once) {}
 
+    /// What tells a turn to end, and since when it does.
+    struct Stop {
+        std::atomic<bool> asked = false;
+        std::chrono::steady_clock::time_point since{};  // written before `asked`
+        void ask();
+    };
+
     /// A turn that is being taken; it ends with this.
     class Turn {
       public:
-        Turn(Turns& turns, std::string view, std::shared_ptr<std::atomic<bool>> stop)
+        Turn(Turns& turns, std::string view, std::shared_ptr<Stop> stop)
             : turns_(&turns), view_(std::move(view)), stop_(std::move(stop)) {}
         Turn(Turn&& other) noexcept;
         Turn& operator=(Turn&&) = delete;
         ~Turn();
         /// Set once there is something newer to do: for RunControl::stop.
-        [[nodiscard]] std::atomic<bool>& stop() const { return *stop_; }
+        [[nodiscard]] std::atomic<bool>& stop() const { return stop_->asked; }
+        /// Milliseconds since it was told to stop; 0 if it was not.
+        [[nodiscard]] double stopping_milliseconds() const;
 
       private:
         Turns* turns_;
         std::string view_;
-        std::shared_ptr<std::atomic<bool>> stop_;
+        std::shared_ptr<Stop> stop_;
     };
 
     /// Waits for the turn of request number `serial` of a view. Nothing if a later one has come, if
@@ -52,7 +62,7 @@ class Turns {
         bool running = false;
         bool left = false;
         int waiting = 0;
-        std::shared_ptr<std::atomic<bool>> stop = std::make_shared<std::atomic<bool>>(false);
+        std::shared_ptr<Stop> stop = std::make_shared<Stop>();
     };
     View* view_called(const std::string& name);
     void end(const std::string& view);

@@ -12,6 +12,7 @@
 #include "host/process/terminal.hpp"
 #include "host/study/study_files.hpp"
 #include "host/study/unit_store.hpp"
+#include "host/study/watched_study.hpp"
 #include "host/text/json_text.hpp"
 #include "host/text/printable.hpp"
 
@@ -57,7 +58,8 @@ void tell_unit(const StudyRequest& request, const Progress& progress, std::size_
 
 /// The results of all units, those that are stored and those measured now; nothing if a signal
 /// came.
-std::optional<std::vector<Json>> measure_all(const StudyRequest& request, const StudyPlan& plan) {
+std::optional<std::vector<Json>> measure_all(const StudyRequest& request, const StudyPlan& plan,
+                                             const RunControl& watching) {
     UnitStore store(request.folder + "/units");
     std::vector<std::optional<Json>> results;
     std::size_t missing = 0;
@@ -74,11 +76,13 @@ std::optional<std::vector<Json>> measure_all(const StudyRequest& request, const 
     std::size_t measured = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {
         if (results[i]) continue;
-        UnitControl control{{&stop_requested(), nullptr}, request.folder};
-        if (progress.enabled()) {
+        UnitControl control{{watching.stop, nullptr}, request.folder};
+        if (progress.enabled() || watching.progress) {
             control.run.progress = [&](double share) {
-                progress.update((static_cast<double>(measured) + share) /
-                                static_cast<double>(missing));
+                const double all_share =
+                    (static_cast<double>(measured) + share) / static_cast<double>(missing);
+                progress.update(all_share);
+                if (watching.progress) watching.progress(all_share);
             };
         }
         const auto start = std::chrono::steady_clock::now();
@@ -87,7 +91,7 @@ std::optional<std::vector<Json>> measure_all(const StudyRequest& request, const 
         } catch (const StudyStopped&) {
             return std::nullopt;
         }
-        if (stop_requested()) return std::nullopt;
+        if (watching.stop != nullptr && *watching.stop) return std::nullopt;
         store.put(plan.units[i].name, plan.units[i].settings, *results[i]);
         ++measured;
         progress.update(static_cast<double>(measured) / static_cast<double>(missing));
@@ -129,10 +133,14 @@ const char* name_of(StudyKind kind) {
 }
 
 bool run_study(const StudyRequest& request) {
+    return run_watched_study(request, {&stop_requested(), nullptr});
+}
+
+bool run_watched_study(const StudyRequest& request, const RunControl& control) {
     const StudyPlan plan = plan_of(request);
     require_spared_scenes(request, plan);
     make_folder(request.folder);
-    const auto results = measure_all(request, plan);
+    const auto results = measure_all(request, plan, control);
     if (!results) {
         if (!request.quiet) tell(fmt::format("stopped; the same command goes on from here\n"));
         return false;

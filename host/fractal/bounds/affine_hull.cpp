@@ -10,6 +10,7 @@
 #include "host/fractal/bounds/inner_points.hpp"
 #include "host/fractal/system/growth.hpp"
 #include "host/math/lipschitz.hpp"
+#include "host/process/give_up.hpp"
 
 namespace pxm::host {
 
@@ -184,6 +185,7 @@ double stretch_within(const AffineHull& hull, const Affine& map) {
 std::optional<Rifs> within_hulls(const Rifs& rifs, const std::vector<AffineHull>& hulls) {
     std::vector<const AffineHull*> place(rifs.maps.size(), nullptr);  // where a map stands
     for (std::size_t s = 0; s < hulls.size(); ++s) {
+        give_up_if_asked();
         for (const int m : rifs.follow_sets[s].maps) {
             if (place[m] == nullptr) place[m] = &hulls[s];
             if (!same_directions(*place[m], hulls[s])) return std::nullopt;

@@ -8,6 +8,8 @@
 #include <limits>
 #include <queue>
 
+#include "host/process/give_up.hpp"
+
 namespace pxm::host {
 
 namespace {
@@ -109,6 +111,7 @@ class FarthestSearch {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         add({infinity, infinity, set, {}, 0});
         while (!queue_.empty() && looked_at_ < goal_.budget) {
+            give_up_if_asked();
             const auto [upper, index] = queue_.top();
             if (upper <= goal_.enough || upper <= lower_ + tolerance()) break;
             queue_.pop();

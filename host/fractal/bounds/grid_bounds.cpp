@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host/fractal/bounds/enclosing_ball.hpp"
+#include "host/process/give_up.hpp"
 
 namespace pxm::host {
 
@@ -143,6 +144,7 @@ void refine_by_grid(const Rifs& rifs, Approximation& known) {
     const long longest =
         std::clamp<long>(rollout_work / (edges * directions_of(coarsest)), 1, longest_rollout);
     for (int s = 0; s < sets; ++s) {
+        give_up_if_asked();
         Ball& ball = known.outer[s].ball;
         if (shrink_ball(known.grid, s, ball)) {
             known.shortfall[s].ball = ball_rounding(known.grid, s, ball);

@@ -7,6 +7,8 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "host/process/give_up.hpp"
+
 namespace pxm::host {
 
 namespace {
@@ -101,6 +103,7 @@ void shrink_boxes(const Rifs& rifs, Approximation& known) {
     for (long round = std::clamp<long>(work_limit / edges, 2, most_rounds); round > 0; --round) {
         double largest = 0;
         for (std::size_t s = 0; s < known.outer.size(); ++s) {
+            give_up_if_asked();
             largest = std::max(largest, shrink(rifs, known, s));
         }
         if (!(largest > settled)) return;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/math/lipschitz.hpp"
+#include "host/process/give_up.hpp"
 
 namespace pxm::host {
 
@@ -96,11 +97,13 @@ std::vector<Points> inner_points(const Rifs& rifs) {
         // A map of many sets takes the same points to the same places: they are looked at once.
         std::vector<Extremes> images(rifs.maps.size());
         for (std::size_t m = 0; m < images.size(); ++m) {
+            give_up_if_asked();
             for (const glm::dvec3& point : points[rifs.follow_of[m]]) {
                 images[m].offer(rifs.maps[m].point(point));
             }
         }
         for (std::size_t s = 0; s < points.size(); ++s) {
+            give_up_if_asked();
             for (const int m : rifs.follow_sets[s].maps) extremes[s].offer(images[m]);
         }
     }

@@ -11,6 +11,7 @@
 #include "host/fractal/bounds/enclosing_ball.hpp"
 #include "host/fractal/system/components.hpp"
 #include "host/math/lipschitz.hpp"
+#include "host/process/give_up.hpp"
 
 namespace pxm::host {
 
@@ -88,6 +89,7 @@ class InvariantBalls {
         double best = infinity;
         std::vector<glm::dvec3> best_centers;
         for (long step = 1; step <= moves_; ++step) {
+            give_up_if_asked();
             const Size size = smallest_size(sets);
             if (size.size < best || best_centers.empty()) {
                 best = size.size;

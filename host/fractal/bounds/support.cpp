@@ -12,6 +12,7 @@
 
 #include "host/fractal/bounds/reach_proof.hpp"
 #include "host/math/rounding.hpp"
+#include "host/process/give_up.hpp"
 
 namespace pxm::host {
 
@@ -60,6 +61,7 @@ class ReachSearch {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         add({infinity, {0, u, 0, infinity}, set, -1, -1});
         while (!queue_.empty() && queue_.top().first > lower_ + tolerance_ && looked_at_ < budget) {
+            give_up_if_asked();
             const int next = queue_.top().second;
             queue_.pop();
             if (cells_[next].dominated) continue;

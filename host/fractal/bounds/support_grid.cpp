@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "host/process/give_up.hpp"
+
 namespace pxm::host {
 
 // Grid points (x, y, z) are integers with |x|+|y|+|z| = n. Both halves are stored as full squares
@@ -123,6 +125,7 @@ double SupportGrid::iterate(const Rifs& rifs) {
         for (int i = 0; i < directions_.size(); ++i) {
             const glm::dvec3& u = directions_.point(i);
             if (!directions_.is_point(i)) continue;
+            give_up_if_asked();
             double reach = -std::numeric_limits<double>::infinity();
             for (const int m : rifs.follow_sets[s].maps) {
                 reach = std::max(reach, reach_of_map(rifs, m, u));

@@ -6,6 +6,7 @@ import { showFacts } from './facts_panel.js';
 import * as server from './server.js';
 
 const shown_mistakes = 6;
+const overtaken = 250;  // milliseconds that a check may take before a newer text is checked instead
 const quiet = 250;  // milliseconds without a change before the facts are asked for
 
 export class Checking {
@@ -18,6 +19,7 @@ export class Checking {
   /// One check at a time; the newest text is the last one that is checked.
   check() {
     this.wanted = true;
+    this.halted = false;
     this.runs ??= this.run();
     return this.runs;
   }
@@ -28,13 +30,32 @@ export class Checking {
       this.wanted = false;
       const text = studio.text;
       try {
-        const checked = await server.check({ name: studio.name, text, frame: studio.frame });
+        const checked = await this.answerOf({ name: studio.name, text, frame: studio.frame });
         if (checked) this.accept(text, checked);
       } catch (error) {
         if (text === studio.text) this.showMistakes(error);
       }
     }
     this.runs = null;
+  }
+
+  /// Null if it takes long and there is a newer text by then: the next question makes the program give
+  /// this one up.
+  async answerOf(question) {
+    const asked = server.check(question);
+    asked.catch(() => {});
+    for (let quick = true; ; quick = false) {
+      const pause = new Promise(done => { setTimeout(done, quick ? overtaken : 20, undefined); });
+      const answer = await Promise.race([asked, pause]);
+      if (answer !== undefined) return answer;
+      if (this.wanted || this.halted) return null;
+    }
+  }
+
+  /// The text is not checked, until it is another.
+  stop() {
+    this.halted = this.runs !== null;
+    if (this.halted) this.showMistakes(null, 'Reading this text was stopped. It is read when it changes.');
   }
 
   /// A text without mistakes is what is shown from now on.

@@ -1,9 +1,10 @@
 // Maps in the picture (Sec. 9.3): each as the image of one tetrahedron that stands for the whole. A
-// corner or the middle of the one that is selected can be dragged.
+// corner, a face or the middle of the one that is selected can be dragged.
 import { dragged, projected } from './camera.js';
 import { cornersOf, mapOf, moveMap, replaceSteps, stepsOf, tetrahedronStep } from './map_edits.js';
 import { add, direction, identity, inverse, lipschitz, point, scaled } from './vectors.js';
 
+const faces = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];  // each without the corner of its number
 const edges = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 const reach = 14;  // CSS pixels around a handle that mean it
 const upright = [[0, 1, 0], [0, -1 / 3, -Math.sqrt(8) / 3], [Math.sqrt(2 / 3), -1 / 3, Math.sqrt(2) / 3], [-Math.sqrt(2 / 3), -1 / 3, Math.sqrt(2) / 3]];
@@ -14,13 +15,24 @@ export function referenceOf(center, radius) {
   return upright.map(v => add(center, scaled(v, radius)).map(x => Number(x.toFixed(Math.min(15, digits)))));
 }
 
+/// How far ahead a triangle is under a place of the screen; null if it is not there.
+function depthUnder([a, b, c], x, y) {
+  const area = (p, q, r) => (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  const at = { x, y }, all = area(a, b, c);
+  if (Math.abs(all) < 1) return null;
+  const [u, v, w] = [area(at, b, c) / all, area(a, at, c) / all, area(a, b, at) / all];
+  return u < 0 || v < 0 || w < 0 ? null : u * a.ahead + v * b.ahead + w * c.ahead;
+}
+
 export class Handles {
   /// `scene()` gives { text, block, map, lets, camera, reference, place } (`place`: the object's matrix),
   /// or null where there is nothing to shape.
-  constructor(canvas, scene) {
+  constructor(canvas, scene, over = () => {}) {
     this.canvas = canvas;
     this.scene = scene;
+    this.over = over;  // draws more, above the maps
     this.drag = null;
+    this.hovered = null;
   }
 
   /// CSS pixels; (0, 0) is at the top left.
@@ -51,7 +63,11 @@ export class Handles {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, w, h);
     const scene = this.scene();
-    if (!scene) return;
+    if (scene) this.drawMaps(context, scene);
+    this.over(context);
+  }
+
+  drawMaps(context, scene) {
     this.tetrahedron(context, scene.reference.map(c => this.toScreen(scene.camera, point(scene.place, c))), 'whole');
     scene.block.maps.forEach((_, i) => { if (i !== scene.map) this.drawMap(context, scene, i, 'other'); });
     if (scene.map >= 0) this.drawMap(context, scene, scene.map, 'selected');
@@ -77,6 +93,8 @@ export class Handles {
     context.lineWidth = selected ? 2 : 1; context.stroke();
     context.setLineDash([]);
     if (!selected) return;
+    const face = faces[(this.drag ?? this.hovered)?.corner - 5];
+    if (face) this.fillFace(context, face.map(i => corners[i]));
     for (const c of [...corners, this.middle(corners)]) {
       context.beginPath();
       if (!corners.includes(c)) context.rect(c.x - 6, c.y - 6, 12, 12); else context.arc(c.x, c.y, 6, 0, 7);
@@ -85,12 +103,21 @@ export class Handles {
     }
   }
 
+  fillFace(context, corners) {
+    context.beginPath();
+    corners.forEach(c => context.lineTo(c.x, c.y));
+    context.closePath();
+    context.fillStyle = 'rgba(255,194,77,0.35)';
+    context.fill();
+  }
+
   middle(corners) {
-    const mean = k => corners.reduce((sum, c) => sum + c[k], 0) / 4;
+    const mean = k => corners.reduce((sum, c) => sum + c[k], 0) / corners.length;
     return { x: mean('x'), y: mean('y'), ahead: mean('ahead') };
   }
 
-  /// What is under a place: { map, corner } (4 is the middle), or null.
+  /// What is under a place: { map, corner }, or null. 4 is the middle, and from 5 on are the faces
+  /// opposite the corners: of those under the place the nearest to the eye.
   hit(x, y) {
     const scene = this.scene();
     if (!scene) return null;
@@ -101,6 +128,8 @@ export class Handles {
         const all = [...corners, this.middle(corners)];
         const nearest = all.reduce((best, c, i) => (far(c) < far(all[best]) ? i : best), 0);
         if (far(all[nearest]) <= reach) return { map: scene.map, corner: nearest };
+        const under = faces.map((face, i) => ({ i, ahead: depthUnder(face.map(c => corners[c]), x, y) })).filter(f => f.ahead !== null);
+        if (under.length > 0) return { map: scene.map, corner: 5 + under.reduce((a, b) => (b.ahead < a.ahead ? b : a)).i };
       }
     }
     return null;
@@ -126,7 +155,7 @@ export class Handles {
     const whole = mapOf(scene.block.maps[hit.map], scene.lets);
     const seen = this.cornersIn(scene, hit.map).map(c => this.toScreen(scene.camera, c));
     this.drag = { ...hit, x, y, scene, from, to: from.map(c => point(whole, c)), back: inverse(scene.place),
-      ahead: hit.corner < 4 ? seen[hit.corner].ahead : this.middle(seen).ahead };
+      ahead: hit.corner < 4 ? seen[hit.corner].ahead : hit.corner === 4 ? this.middle(seen).ahead : this.middle(faces[hit.corner - 5].map(i => seen[i])).ahead };
   }
 
   /// The text with the map where the pointer has taken it.
@@ -137,7 +166,8 @@ export class Handles {
     const offset = back ? direction(back, world) : world;
     const block = scene.block.maps[map];
     if (corner === 4) return moveMap(scene.text, block, scene.lets, offset);
-    return replaceSteps(scene.text, block, tetrahedronStep(from, to.map((c, i) => (i === corner ? add(c, offset) : c))));
+    const moves = i => (corner < 4 ? i === corner : faces[corner - 5].includes(i));
+    return replaceSteps(scene.text, block, tetrahedronStep(from, to.map((c, i) => (moves(i) ? add(c, offset) : c))));
   }
 
   end() { this.drag = null; }

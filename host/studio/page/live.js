@@ -64,10 +64,19 @@ export class Live {
     else if (this.wake) this.wake();
   }
 
+  /// Nothing more for what is to show now; what is shown stays.
+  stop() {
+    this.halted = this.version;
+    if (this.wake) this.wake();
+  }
+
   async run() {
     this.running = true;
     try {
-      while (this.shown !== this.version) await this.refine(this.version);
+      while (this.shown !== this.version) {
+        await this.refine(this.version);
+        if (this.halted === this.version) this.shown = this.version;
+      }
     } finally {
       this.running = false;
     }
@@ -80,7 +89,7 @@ export class Live {
       return;
     }
     const { columns, rows } = this.wholeSize;
-    const fresh = () => version === this.version;
+    const fresh = () => version === this.version && this.halted !== version;
     try {
       if (!this.question().machine && !await this.coarse(columns, rows)) return;
       if (!fresh()) return;
@@ -125,7 +134,7 @@ export class Live {
     const woken = new Promise(done => { this.wake = () => done(null); });
     const picture = await Promise.race([asked, woken]);
     this.wake = null;
-    return version === this.version ? picture : null;
+    return version === this.version && this.halted !== version ? picture : null;
   }
 
   async sleep(time) {

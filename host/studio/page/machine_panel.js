@@ -1,6 +1,6 @@
 // The simulated machine: what each node did for the picture, and what other ways to share out its
 // pixels would have cost.
-import { element, grouped, number } from './elements.js';
+import { byId, element, grouped, number } from './elements.js';
 
 const partitions = {
   interleaved: (x, y, s, n) => (y % n.rows) * n.columns + x % n.columns,
@@ -31,15 +31,33 @@ const heat = share => {
 };
 
 export class MachinePanel {
-  /// `choose(model)`: '' is native.
-  constructor(place, models, choose) {
+  /// `choose(model)`: '' is native. `more` are parts that stand below.
+  constructor(place, models, choose, more = []) {
     Object.assign(this, { place, models, choose, partition: 'interleaved', quantity: 'cycles', picture: null, model: '', why: '' });
+    this.top = element('div');
+    this.place.replaceChildren(this.top, ...more);
     this.draw();
   }
 
   show(picture, model) { Object.assign(this, { picture, model, why: '' }); this.draw(); }
+  /// What the nodes have done so far: [[cycles, pixels], ...].
+  working(nodes) {
+    const model = this.models.find(m => m.name === this.model);
+    if (!model || this.picture?.cycles || nodes.length !== model.columns * model.rows) return;
+    const done = nodes.reduce((sum, n) => sum + n[1], 0);
+    this.quantity = 'cycles';
+    this.rest(element('p', { class: 'note', role: 'status' }, `The machine is at work: ${grouped(done)} pixels so far.`), this.map(nodes.map(n => n[0]), model, 'filling'));
+  }
+
   /// What the machine cannot do: a memory is too small, the scene is wrong.
   refuse(why) { Object.assign(this, { picture: null, why }); this.draw(); }
+
+  /// Everything under the choice of a model; what others have put there stays last.
+  rest(...parts) {
+    const focus = document.activeElement?.id;
+    this.top.replaceChildren(this.head(), ...parts);
+    if (focus && this.top.querySelector(`#${focus}`)) byId(focus).focus();
+  }
 
   head() {
     return element('div', { class: 'row' }, element('label', {}, 'render on ',
@@ -52,7 +70,7 @@ export class MachinePanel {
     const picture = this.model ? this.picture : null;
     if (!picture?.cycles) {
       const text = this.why ? this.why : this.model ? 'The machine is at work …' : 'Here the scene is rendered by a simulated Pixel Machine of 1987: an array of nodes, each a signal processor with 36 KB of fast memory. Choose a model, and see what every node has to do. Its pictures are smaller, as a node needs thousands of cycles a pixel.';
-      this.place.replaceChildren(this.head(), element('p', { class: this.why ? 'note refused' : 'note' }, text));
+      this.rest(element('p', { class: this.why ? 'note refused' : 'note' }, text));
       return;
     }
     const statistics = picture.head.statistics;
@@ -60,7 +78,7 @@ export class MachinePanel {
     const size = { columns: picture.pixels.width, rows: picture.pixels.height };
     const sums = shareOf(picture.cycles, size, model, this.partition);
     const shown = this.quantity === 'heap' ? Float64Array.from(statistics.nodes.map(n => n.heap_peak)) : sums;
-    this.place.replaceChildren(this.head(), this.choices(picture, size, model), this.map(shown, model), this.numbers(statistics, sums, picture), this.memory(statistics));
+    this.rest(this.choices(picture, size, model), this.map(shown, model), this.numbers(statistics, sums, picture), this.memory(statistics));
   }
 
   choices(picture, size, model) {
@@ -72,9 +90,9 @@ export class MachinePanel {
         button('quantity', 'cycles', 'cycles', 'Instruction cycles of 200 ns'), button('quantity', 'heap', 'heap peaks', 'The most cells in a node\'s heap, as it rendered')));
   }
 
-  map(values, model) {
+  map(values, model, kind = '') {
     const most = Math.max(...values), least = Math.min(...values);
-    const canvas = element('div', { class: 'nodes', role: 'img', 'aria-label': `${model.columns} by ${model.rows} nodes, from ${grouped(least)} to ${grouped(most)} ${this.quantity}` });
+    const canvas = element('div', { class: `nodes ${kind}`, role: 'img', 'aria-label': `${model.columns} by ${model.rows} nodes, from ${grouped(least)} to ${grouped(most)} ${this.quantity}` });
     canvas.style.gridTemplateColumns = `repeat(${model.columns}, 1fr)`;
     canvas.append(...[...values].map((value, i) => {
       const cell = element('i', { title: `node ${i % model.columns},${Math.floor(i / model.columns)}: ${grouped(value)} ${this.quantity === 'heap' ? 'cells' : 'cycles'}` });

@@ -18,6 +18,7 @@ export class MapsPanel {
   constructor(place, scene, edit, select) {
     Object.assign(this, { place, scene, edit, select });
     this.shape = '';
+    this.graph = { chosen: -1 };
   }
 
   draw() {
@@ -25,10 +26,11 @@ export class MapsPanel {
     const shape = JSON.stringify([ifs, map, outline.ifs.map(block => [block.name, block.maps.map(m =>
       [m.name, m.directives.map(d => [d.word, d.args.length])]), graphOf(block, this.text()).allowed])]);
     if (shape !== this.shape) {
-      const focus = document.activeElement?.dataset?.key;
+      const { key: focus, node } = document.activeElement?.dataset ?? {};
       this.shape = shape;
       this.rebuild();
       if (focus) this.place.querySelector(`[data-key="${focus}"]`)?.focus();
+      else if (node) this.place.querySelector(`[data-node="${node}"]`)?.focus();
     }
     this.refresh();
   }
@@ -50,8 +52,20 @@ export class MapsPanel {
         : element('h2', {}, outline.ifs[ifs].name),
       element('span', { class: 'grow' }),
       element('button', { title: 'Another map', 'data-key': 'add', onclick: () => this.addMap() }, '+ Map'));
-    const graph = graphPanel(this.scene, text => this.edit(text));
-    this.place.replaceChildren(head, ...this.block().maps.map((map, i) => this.card(map, i)), ...(graph ? [graph] : []));
+    const graph = graphPanel(this.scene, text => this.edit(text), this.graph, () => { this.shape = ''; this.draw(); });
+    this.place.replaceChildren(head, ...this.hint(), ...this.block().maps.map((map, i) => this.card(map, i)), ...(graph ? [graph] : []));
+  }
+
+  /// For whoever begins with nothing: how a plant comes of it.
+  hint() {
+    if (!this.scene().shipped || !/^# two copies of the whole/.test(this.text())) return [];
+    const step = (...words) => element('li', {}, ...words);
+    return [element('details', { class: 'hint', open: true }, element('summary', {}, 'How to make a plant'), element('ol', {},
+      step('Open Map 1 below. It is the plant without its lowest leaves: nearly the whole, higher up. Make its scale 0.85 and its translate y 0.4, and add a rotate by z and 3 degrees, so that it bends.'),
+      step('Open Map 2: the first leaf. Scale 0.4, rotate z by 50 degrees, translate 0, 0.4, 0.'),
+      step('Mirror it, for the leaf on the other side.'),
+      step('Add a map for the stem: press ', element('i', {}, 'x y z'), ' beside its scale, and make it 0.03, 0.35, 0.03; translate 0, 0, 0.'),
+      step('Change any number, or drag the yellow handles in the picture, until you like it. Then press ', element('i', {}, 'PNG'), ' above to keep the picture, or ', element('i', {}, 'Save'), ' to keep the scene.')))];
   }
 
   addMap() {
@@ -96,7 +110,7 @@ export class MapsPanel {
     const row = element('li', { class: `step ${step.word}`, draggable: false, 'data-step': s },
       element('span', { class: 'grip', title: 'Drag to reorder', draggable: true }, '⠿'),
       element('b', {}, step.word),
-      element('div', { class: 'values' }, ...step.args.map((_, a) => this.field(index, s, a, step))),
+      element('div', { class: 'values' }, ...step.args.map((_, a) => this.field(index, s, a, step)), this.splitter(index, step, s)),
       element('span', { class: 'ends' },
         element('button', { class: 'small', title: 'Earlier', 'aria-label': `${step.word} earlier`, 'data-key': `${key}.up`, onclick: () => move(s - 1) }, '↑'),
         element('button', { class: 'small', title: 'Later', 'aria-label': `${step.word} later`, 'data-key': `${key}.down`, onclick: () => move(s + 1) }, '↓'),
@@ -110,6 +124,13 @@ export class MapsPanel {
       if (Number.isInteger(from) && from !== s && from < now().length) this.edit(edits.moveStep(this.text(), this.mapAt(index), from, s));
     });
     return row;
+  }
+
+  /// One number for all directions becomes one for each.
+  splitter(index, step, s) {
+    if (step.word !== 'scale' || step.args.length !== 1) return null;
+    return element('button', { class: 'small', title: 'A number for each direction, to squash or stretch', 'aria-label': 'scale x, y and z by themselves', 'data-key': `${index}.${s}.split`,
+      onclick: () => { const now = edits.stepsOf(this.mapAt(index))[s]; this.edit(edits.setValues(this.text(), now, Array(3).fill(now.args[0].text).join(','))); } }, 'x y z');
   }
 
   field(index, s, a, step) {

@@ -62,6 +62,7 @@ export class Place {
     byId('frame-number').textContent = '0';
     studio.live.clear();
     studio.flight.forget();
+    studio.endDescent();
     studio.live.fit(studio.facts.limits);
     studio.textChanged();
     await studio.answered;

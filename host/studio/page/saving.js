@@ -1,7 +1,7 @@
-// What leaves the page and comes into it: the scene's file, the command, the picture, a file that is
-// dropped here.
+// What leaves the page: the scene's file, the command, the picture.
 import { commandOf } from './command.js';
-import { byId, element, toast } from './elements.js';
+import { byId, toast } from './elements.js';
+import { download } from './rendering.js';
 import * as server from './server.js';
 
 async function saveAs(studio, name, seen) {
@@ -66,22 +66,8 @@ export async function savePng(studio) {
   try {
     const picture = await server.png(studio.finished());
     if (!picture) return;
-    const link = element('a', { href: URL.createObjectURL(picture), download: studio.name.replace(/^.*\//, '').replace(/\.pxm$/, '.png') });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    download(picture, studio.name.replace(/^.*\//, '').replace(/\.pxm$/, '.png'));
   } catch (error) {
     toast(error.message, 'bad');
   }
-}
-
-/// A scene's file from elsewhere, as a new one that is not saved.
-export async function takeDropped(studio, event) {
-  const file = event.dataTransfer.files[0];
-  if (!file) return;
-  event.preventDefault();
-  if (!file.name.endsWith('.pxm') || file.size > 1e6) {
-    toast('Scenes end in .pxm; pxm import makes them of other files.', 'bad');
-    return;
-  }
-  studio.place.begin(file.name.replace(/[^\w.-]/g, '_').replace(/^[.]+/, ''), await file.text());
 }

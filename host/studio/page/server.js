@@ -25,8 +25,15 @@ async function ask(path, question) {
   if (response.headers.get('Content-Type') !== 'application/json') return response;
   const answer = await response.json();
   if (answer.error) throw new Refusal(answer.error);
-  return answer.superseded ? null : answer;
+  if (!answer.superseded) return answer;
+  if (answer.stopping_ms > 0) stops.push(answer.stopping_ms);
+  if (stops.length > 200) stops.shift();
+  return null;
 }
+
+/// How long work went on that was given up, milliseconds, as the program measured it.
+export const stops = [];
+export const lastStop = () => stops.at(-1) ?? null;
 
 const numbered = (kind, question) => ({ ...question, view: `${page}-${kind}`, serial: ++serial });
 
@@ -37,6 +44,14 @@ export const check = scene => ask('/api/check', numbered('check', scene));
 export const inspect = scene => ask('/api/inspect', numbered('inspect', scene));
 export const pick = (picture, x, y) => ask('/api/pick', numbered('pick', { ...picture, x, y }));
 export const pixel = (picture, x, y) => ask('/api/pixel', numbered('pixel', { ...picture, x, y }));
+
+export const importFile = (name, data, entry) => ask('/api/import', numbered('import', { name, data, ...(entry === undefined ? {} : { entry }) }));
+export const study = question => ask('/api/study', numbered('study', question));
+/// How far the newest work of a kind is.
+export const progress = kind => ask('/api/progress', { view: `${page}-${kind}` });
+/// Gives up what the page has asked for: of one kind, or all of it.
+export const stop = kind => ask('/api/leave', { view: `${page}-${kind}` });
+export const stopAll = () => ask('/api/leave', { view: page });
 
 /// { head, pixels: ImageData, cycles: of the machine, Uint32Array }.
 export async function picture(question, kind = 'picture') {
@@ -52,8 +67,8 @@ export async function picture(question, kind = 'picture') {
     cycles: rest.byteLength ? new Uint32Array(rest) : null };
 }
 
-export async function png(question) {
-  const response = await ask('/api/png', numbered('png', question));
+export async function png(question, kind = 'png') {
+  const response = await ask('/api/png', numbered(kind, question));
   return response && response.blob();
 }
 

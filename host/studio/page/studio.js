@@ -1,6 +1,8 @@
 // The page of pxm studio: one scene as text, as maps and as a picture, in step.
+import { takeDropped, bring } from './bringing.js';
 import * as cameras from './camera.js';
 import { Checking } from './checking.js';
+import { Descent } from './descent.js';
 import { Editor } from './editor.js';
 import { byId, element, magnificationText, number, shortWord, toast } from './elements.js';
 import { Flight } from './flight.js';
@@ -12,10 +14,14 @@ import { Live } from './live.js';
 import { MachinePanel } from './machine_panel.js';
 import { MapsPanel } from './maps_panel.js';
 import { Place } from './place.js';
+import { Rendering } from './rendering.js';
 import * as saving from './saving.js';
 import * as server from './server.js';
 import { letsOf, outlineOf } from './scene_tokens.js';
+import { StudyPanel } from './study_panel.js';
 import { identity } from './vectors.js';
+import { Volumes } from './volumes.js';
+import { Working } from './working.js';
 
 const tabs = ['maps', 'text', 'facts', 'machine'];
 const trail_pause = 700;  // milliseconds between moves that are steps of the way back
@@ -46,11 +52,16 @@ class Studio {
     this.place = new Place(this);
     this.checking = new Checking(this);
     this.editor = new Editor(text => this.edit(text, 'typing'));
-    this.handles = new Handles(byId('handles'), () => this.shaping());
+    this.handles = new Handles(byId('handles'), () => this.shaping(), context => this.volumes.draw(context));
+    this.volumes = new Volumes(() => this.seen());
     this.flight = new Flight(this);
     this.gestures = new Gestures(byId('handles'), this);
     this.maps = new MapsPanel(byId('panel-maps'), () => this, (text, kind) => this.edit(text, kind), (ifs, map) => this.select(ifs, map));
-    this.machines = new MachinePanel(byId('panel-machine'), this.facts.models, model => this.useMachine(model));
+    this.studies = new StudyPanel(() => this.shown());
+    this.machines = new MachinePanel(byId('panel-machine'), this.facts.models, model => this.useMachine(model), [byId('descent-tree'), this.studies.place]);
+    this.descent = new Descent(byId('descent-tree'), cell => this.pointAt(cell), () => this.endDescent());
+    this.working = new Working(this);
+    this.rendering = new Rendering(this);
     this.gallery = new Gallery(this.facts, (name, shipped) => this.place.go(name, shipped));
     new ResizeObserver(() => this.resized()).observe(byId('stage'));
   }
@@ -155,10 +166,9 @@ class Studio {
       const nearest = this.tab === 'maps' ? this.handles.nearest(x, y) : -1;
       if (nearest >= 0 && nearest !== this.map) return this.select(this.ifs, nearest);
       if (this.tab === 'machine') {
-        const answer = await server.pixel(this.finished(), ...this.pixelAt(x, y));
+        const answer = await server.pixel({ ...this.finished(), samples: 1 }, ...this.pixelAt(x, y));
         if (!answer) return undefined;
-        byId('descent').textContent = answer.text;
-        return byId('descent-dialog').showModal();
+        return this.showDescent(answer.text);
       }
       await this.pickAt(x, y);
     } catch (error) {
@@ -167,7 +177,42 @@ class Studio {
     return undefined;
   }
 
-  hovered(hit) { byId('handles').style.cursor = hit ? 'move' : ''; }
+  hovered(hit) {
+    byId('handles').style.cursor = hit ? 'move' : '';
+    if (hit?.corner === this.handles.hovered?.corner) return;
+    this.handles.hovered = hit;
+    this.handles.draw();
+  }
+
+  /// What volumes are drawn into.
+  seen() {
+    if (!this.checked || !this.camera || cameras.magnification(this.camera) > 1e5) return null;
+    return { checked: this.checked, camera: this.camera, toScreen: world => this.handles.toScreen(this.camera, world) };
+  }
+
+  /// The cells of a ray, as the descent's words name them, over the picture.
+  showDescent(text) {
+    const cells = this.descent.show(text);
+    this.volumes.cells = cells.filter(c => c.what !== 'missed').map(c => this.cellOf(c)).filter(c => c);
+    this.volumes.chosen = null;
+    this.handles.draw();
+    byId('descent-tree').scrollIntoView({ block: 'nearest' });
+  }
+  endDescent() {
+    this.descent.clear();
+    Object.assign(this.volumes, { cells: [], chosen: null });
+    this.handles.draw();
+  }
+  cellOf({ object, word, what }) {
+    const shown = this.checked?.objects.find(o => o.name === object);
+    const ifs = this.checked?.ifs.find(i => i.name === shown?.ifs);
+    const maps = word.map(name => ifs?.maps.findIndex((m, i) => (m.name || String(i + 1)) === name));
+    return ifs && maps.every(m => m >= 0) ? { object, maps, what } : null;
+  }
+  pointAt(cell) {
+    this.volumes.chosen = cell && this.cellOf(cell);
+    this.handles.draw();
+  }
 
   /// What the handles need, where there is something to shape.
   shaping() {
@@ -234,6 +279,7 @@ class Studio {
     if (tab === 'text') this.editor.draw();
     if (tab === 'facts' && this.checked && this.checking.factsOld) this.checking.inspect();
     if (tab !== 'machine' && this.machine) this.useMachine('');
+    if (tab !== 'machine' && this.volumes.cells.length > 0) this.endDescent();
     if (tab === 'machine') this.machines.draw();
     this.handles.draw();
     this.place.note();
@@ -248,6 +294,17 @@ class Studio {
     press('png', () => saving.savePng(this));
     press('back', () => this.back());
     press('reset', () => this.reset());
+    press('render', () => this.rendering.open());
+    press('open', () => byId('file').click());
+    byId('file').addEventListener('change', event => { const [file] = event.target.files; event.target.value = ''; if (file) bring(this, file); });
+    const volumes = () => {
+      this.volumes.level = Number(byId('volume-level').value) - 1;
+      this.volumes.kind = byId('volume-kind').value;
+      byId('volume-number').textContent = this.volumes.level < 0 ? 'none' : `level ${this.volumes.level}`;
+      this.handles.draw();
+    };
+    byId('volume-level').addEventListener('input', volumes);
+    byId('volume-kind').addEventListener('change', volumes);
     press('help', () => byId('help-dialog').showModal());
     press('theme', () => this.changeTheme());
     for (const tab of tabs) press(`tab-${tab}`, () => this.choose(tab));
@@ -259,7 +316,7 @@ class Studio {
     });
     press('new', () => this.place.begin());
     addEventListener('dragover', event => { if (event.dataTransfer.types.includes('Files')) event.preventDefault(); });
-    addEventListener('drop', event => saving.takeDropped(this, event));
+    addEventListener('drop', event => takeDropped(this, event));
     addEventListener('hashchange', () => this.place.arrive());
     addEventListener('keydown', event => this.key(event));
     document.querySelector('.tabs').addEventListener('keydown', event => {

@@ -31,6 +31,20 @@ TEST(Turns, a_newer_question_stops_the_one_under_way) {
     EXPECT_TRUE(second.get());
 }
 
+TEST(Turns, a_turn_knows_since_when_it_is_to_stop) {
+    Turns turns(4);
+    const auto turn = turns.take("a", 1);
+    ASSERT_TRUE(turn);
+    EXPECT_EQ(turn->stopping_milliseconds(), 0);
+    turns.leave("a");
+    std::this_thread::sleep_for(3ms);
+    const double first = turn->stopping_milliseconds();
+    EXPECT_GE(first, 3);
+    turns.close();
+    std::this_thread::sleep_for(1ms);
+    EXPECT_GT(turn->stopping_milliseconds(), first) << "only the first to ask counts";
+}
+
 TEST(Turns, what_was_overtaken_is_never_begun) {
     Turns turns(4);
     auto first = turns.take("a", 1);
