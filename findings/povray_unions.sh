@@ -10,8 +10,8 @@
 # fractals of any depth.
 #
 # So a small file in this language promises nothing about memory: twenty cubes in cubes, five levels deep, are 3.2
-# million objects. pxm says how many objects a reader of the file will hold, and leaves the choice of the levels to the
-# user (docs/export.md).
+# million objects. pxm says how many objects POV-Ray will make of a file, and leaves the choice of the levels to the user
+# (host/export/export_file.cpp, docs/export.md).
 #
 # Seen on 2026-11-30:
 #   bytes of the scene with eight levels                         1659

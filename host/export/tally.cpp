@@ -74,14 +74,46 @@ void Watch::look() {
         progress_.update(static_cast<double>(visited_) / static_cast<double>(expected_));
 }
 
+double cells_by_levels(const ExportSystem& system) {
+    std::vector<double> below(system.sets.size(), 1.0);
+    for (std::uint32_t level = 0; level < system.levels; ++level) {
+        std::vector<double> next(below.size(), 0.0);
+        for (std::size_t s = 0; s < below.size(); ++s) {
+            const std::vector<int>& maps = system.sets[s].maps;
+            if (maps.empty()) next[s] = 1;
+            for (const int map : maps) {
+                const int inside = system.maps[static_cast<std::size_t>(map)].inside;
+                next[s] += below[static_cast<std::size_t>(inside)];
+            }
+        }
+        if (next == below) break;
+        below = std::move(next);
+    }
+    return below[static_cast<std::size_t>(system.start)];
+}
+
+namespace {
+
+[[noreturn]] void refuse_number(const ExportSystem& system) {
+    throw Error(ErrorKind::setting,
+                fmt::format("object \"{}\" has more than {:.0f} cells: fewer --levels or a larger "
+                            "--detail",
+                            printable(system.name), most_cells));
+}
+
+}  // namespace
+
 Tally tally_of(const ExportScene& scene, Watch& watch) {
     Tally tally;
+    double count = 0;
     tally.low = glm::dvec3{std::numeric_limits<double>::infinity()};
     tally.high = -tally.low;
     double smallest = std::numeric_limits<double>::infinity();
     for (const ExportSystem& system : scene.systems) {
         Counter counter(system, tally.systems.emplace_back());
+        if (system.detail <= 0 && cells_by_levels(system) > most_cells) refuse_number(system);
         const bool ended = for_each_cell(system, [&](const Cell& cell) {
+            if (++count > most_cells) refuse_number(system);
             watch.visit();
             counter.add(cell);
         });

@@ -60,7 +60,14 @@ struct Tally {
     CoordinateNumber number = CoordinateNumber::single;
 };
 
-/// Visits every cell once. Throws Error(ErrorKind::scene) where words do not end.
+inline constexpr double most_cells = 1e9;  // of a file
+
+/// How many cells there are if nothing but the levels ends a word, without visiting them; infinity
+/// if that is too many for a double.
+[[nodiscard]] double cells_by_levels(const ExportSystem& system);
+
+/// Visits every cell once. Throws Error(ErrorKind::scene) where words do not end, and
+/// Error(ErrorKind::setting) if there are more than most_cells.
 [[nodiscard]] Tally tally_of(const ExportScene& scene, Watch& watch);
 
 /// Calls visit(system, cell) for each cell of every object, with its numbers.

@@ -226,7 +226,8 @@ TEST_F(Export, lengths_are_scaled_and_the_scale_is_stated) {
 }
 
 TEST_F(Export, povray_has_a_union_a_level_whatever_the_cells) {
-    (void)write("menger.pxm", "a.pov", {"--levels", "30"});
+    EXPECT_THAT(write("menger.pxm", "a.pov", {"--levels", "30"}),
+                HasSubstr("POV-Ray makes 1.07374e+39 objects of it"));
     const std::string text = folder.read("a.pov");
     EXPECT_LT(text.size(), 100'000U);
     EXPECT_THAT(text, HasSubstr("#declare pxm_1_1_30 = union {"));
@@ -261,6 +262,8 @@ TEST_F(Export, what_a_format_cannot_hold_is_refused_before_anything_is_written) 
                           {"--levels says nothing to aifs"});
     expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a.flame"}, 3,
                           {"object \"sponge\" is not of the plane z = 0"});
+    expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a.ply", "--levels", "60"}, 2,
+                          {"object \"sponge\" has more than 1000000000 cells"});
     expect_refusal_naming(folder, {"export", "none.pxm", "-o", "a.ply", "--levels", "2"}, 4, {});
     expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "no/a.ply", "--levels", "2"}, 4,
                           {"no/a.ply"});
