@@ -57,10 +57,19 @@ export async function openPage(context, address, hash = '') {
 
 /// Waits until nothing is being computed for the page.
 export async function settled(page) {
-  await page.waitForFunction(() => {
-    const studio = window.studio;
-    return studio && studio.base && !studio.checking.runs && !studio.flight.asking && studio.live.shown === studio.live.version && !studio.live.running;
-  }, null, { polling: 50 });
+  try {
+    await page.waitForFunction(() => {
+      const studio = window.studio;
+      return studio && studio.base && !studio.checking.runs && !studio.flight.asking && studio.live.shown === studio.live.version && !studio.live.running;
+    }, null, { polling: 50 });
+  } catch (error) {
+    const state = await page.evaluate(() => {
+      const { base, checking, flight, live, name, text, goodText } = window.studio;
+      return { name, checked: text === goodText, base: Boolean(base), checking: Boolean(checking.runs), wanted: checking.wanted, flight: flight.asking, shown: live.shown, version: live.version, running: live.running,
+        mistakes: document.getElementById('mistakes').textContent, toast: document.getElementById('toast').textContent };
+    });
+    throw new Error(`the page does not come to rest: ${JSON.stringify(state)}`, { cause: error });
+  }
 }
 
 /// Pixels as one text, to compare: of the picture in the page, or of a PNG's bytes.

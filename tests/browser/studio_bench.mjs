@@ -33,9 +33,10 @@ try {
     ratios.push(whole / 1000 / JSON.parse(readFileSync(join(studio.folder, 'stats.json'), 'utf8')).seconds.render);
   }
 
-  const overtaken = await page.evaluate(async () => {
+  const { times: overtaken, stops } = await page.evaluate(async () => {
     const server = await import('/server.js');
     const times = [];
+    server.stops.length = 0;
     for (let i = 0; i < 20; ++i) {
       const slow = server.picture({ ...studio.finished(), samples: 64 }).catch(() => null);
       await new Promise(done => setTimeout(done, 60));
@@ -44,7 +45,7 @@ try {
       times.push(performance.now() - begin);
       await slow;
     }
-    return times;
+    return { times, stops: server.stops };
   });
 
   const before = memory(studio.child.pid);
@@ -61,6 +62,7 @@ try {
   console.log(`small picture after a turn, median: ${median(small).toFixed(0)} ms`);
   console.log(`whole picture over the render phase of pxm render, median: ${median(ratios).toFixed(2)}`);
   console.log(`a picture that is overtaken makes room, median: ${median(overtaken).toFixed(0)} ms`);
+  console.log(`its work goes on after that, median of ${stops.length}: ${median(stops).toFixed(1)} ms, at most ${Math.max(...stops).toFixed(1)} ms`);
   console.log(`memory of the program before and after ${crowd} turns: ${before.toFixed(0)} and ${memory(studio.child.pid).toFixed(0)} MB`);
 } finally {
   await browser.close();

@@ -34,6 +34,32 @@ try {
     await settled(page);
     await page.click('.map-title >> nth=1');
   });
+  await shoot('graph', '#scene=pound_sign.pxm', async page => {
+    await settled(page);
+    await page.evaluate(() => { const graph = document.querySelector('.graph'); graph.open = true; graph.scrollIntoView(); });
+    await page.fill('#volume-level', '3');
+  });
+  await shoot('descent', '#scene=tetra.pxm&tab=machine', async page => {
+    await settled(page);
+    const box = await page.locator('#handles').boundingBox();
+    await page.mouse.click(box.x + box.width * 0.5, box.y + box.height * 0.4);
+    await page.waitForSelector('.tree');
+    await page.hover('.tree li li li li .cell >> nth=2');
+  });
+  await shoot('plant', '', async page => {
+    await page.click('#new');
+    await settled(page);
+    await page.evaluate(() => studio.edit(`# two copies of the whole: where do they stand?
+ifs mine {
+    newmap scale: 0.85 translate: 0,0.4,0 rotate: z,3 color: 0.2,0.6,0.3,0.4
+    newmap scale: 0.4 rotate: z,50 translate: 0,0.4,0 color: 0.8,0.7,0.2,0.4
+    newmap scale: 0.4 rotate: z,50 translate: 0,0.4,0 scale: -1,1,1 color: 0.8,0.7,0.2,0.4
+    newmap scale: 0.03,0.35,0.03 translate: 0,0,0
+}
+`));
+    await settled(page);
+    await page.click('.map-title >> nth=1');
+  });
   await shoot('flight', '#scene=menger.pxm&tab=text', async page => {
     await settled(page);
     const box = await page.locator('#handles').boundingBox();

@@ -1,7 +1,7 @@
 // node studio_test.mjs PXM: what a person does with the studio works in a real browser.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { openPage, pixelsOf, settled, startBrowser, startStudio } from './studio.mjs';
 
@@ -221,28 +221,63 @@ const tests = {
     const { page } = opened;
     let seed = 20261130;
     const random = n => { seed = (Math.imul(seed, 1103515245) + 12345) >>> 0; return (seed >>> 8) % n; };
+    const box = await canvas(page);
+    /// Takes a handle of the map that is selected, if there is one, and drags it with the mouse.
+    const drag = async () => {
+      const at = await page.evaluate(wanted => {
+        const s = studio.shaping();
+        const seen = s && s.map >= 0 ? studio.handles.cornersIn(s, s.map)?.map(c => studio.handles.toScreen(s.camera, c)) : null;
+        return seen?.every(c => c.ahead > 0) ? [...seen, studio.handles.middle(seen)][wanted] : null;
+      }, random(5));
+      if (!at || at.x < 40 || at.y < 40 || at.x > box.width - 60 || at.y > box.height - 60) return;
+      await page.mouse.move(box.x + at.x, box.y + at.y);
+      await page.mouse.down();
+      await page.mouse.move(box.x + at.x + random(31) - 15, box.y + at.y + random(31) - 15, { steps: 3 });
+      await page.mouse.up();
+    };
+    const type = async () => {
+      const words = ['# a remark ', ' ', '\n', '#'];
+      await page.evaluate(([word, at]) => {
+        const lines = studio.text.split('\n');
+        const field = document.getElementById('text');
+        const line = at % lines.length;
+        lines[line] += word.includes('#') && lines[line].includes('#') ? ' again' : word;
+        field.value = lines.join('\n');
+        field.dispatchEvent(new Event('input', { bubbles: true }));
+      }, [words[random(4)], random(1000)]);
+    };
+    let accepted = 0, dragged = 0;
     for (let i = 0; i < 100; ++i) {
-      await page.evaluate(([kind, a, b]) => {
+      const before = await textOf(page);
+      const kind = random(12);
+      if (kind >= 10) await drag();
+      else if (kind === 9) await type();
+      else await page.evaluate(([what, a, b]) => {
         const s = window.studio;
         const press = name => document.querySelector(`[data-key$="${name}"]`)?.click();
         const maps = s.outline.ifs[0].maps.length;
         if (s.map < 0 || s.map >= maps) s.select(0, a % maps);
-        if (kind === 0) s.select(0, a % maps);
-        if (kind === 1 && maps < 8) press('Copy this map');
-        if (kind === 2 && maps < 8) press('A mirrored copy, left to right');
-        if (kind === 3 && maps > 2) press('Delete this map');
-        if (kind === 4) press(`.add.${['scale', 'rotate', 'translate'][a % 3]}`);
-        if (kind === 5) { const fields = [...document.querySelectorAll('.scale input[data-arg], .translate input[data-arg]')]; if (fields.length) { const f = fields[a % fields.length]; f.value = String((b % 9 - 4) / 10 || 0.3); f.dispatchEvent(new Event('input')); } }
-        if (kind === 6) press('.down');
-        if (kind === 7) { s.undo(); }
-        if (kind === 8) { s.redo(); }
-        if (kind === 9) s.edit(s.text.replace('{', '{ # once more'), 'typing');
-      }, [random(10), random(1000), random(1000)]);
-      if (i % 10 === 9) { await settled(page); await agree(page); }
+        if (what === 0) s.select(0, a % maps);
+        if (what === 1 && maps < 8) press('Copy this map');
+        if (what === 2 && maps < 8) press('A mirrored copy, left to right');
+        if (what === 3 && maps > 2) press('Delete this map');
+        if (what === 4) press(`.add.${['scale', 'rotate', 'translate'][a % 3]}`);
+        if (what === 5) { const fields = [...document.querySelectorAll('.scale input[data-arg], .translate input[data-arg]')]; if (fields.length) { const f = fields[a % fields.length]; f.value = String((b % 9 - 4) / 10 || 0.3); f.dispatchEvent(new Event('input')); } }
+        if (what === 6) press('.down');
+        if (what === 7) s.undo();
+        if (what === 8) s.redo();
+      }, [kind, random(1000), random(1000)]);
+      await settled(page);
+      if (kind >= 10 && await textOf(page) !== before) ++dragged;
+      if (await agree(page)) ++accepted;
+      if (i % 10 === 9) await savedAgrees(page);
     }
-    await page.evaluate(text => studio.edit(text), tetra);
-    await settled(page);
+    console.log(`  ${accepted} of the texts were right, ${dragged} handles were dragged`);
+    assert.ok(accepted > 50 && dragged > 3);
+    while (!await agree(page)) { await page.evaluate(() => studio.undo()); await settled(page); }
+    await savedAgrees(page);
     await samePicture(page);
+    writeFileSync(join(studio.folder, 'tetra.pxm'), tetra);
     return opened;
   },
 
@@ -290,6 +325,7 @@ const tests = {
     await settled(page);
     const box = await canvas(page);
     await page.mouse.click(box.x + box.width / 2, box.y + box.height * 0.45);
+    await page.click('text=As text');
     await page.waitForSelector('#descent-dialog[open]');
     assert.match(await page.textContent('#descent'), /pixel \d+,\d+: ray from/);
     await page.keyboard.press('Escape');
@@ -356,6 +392,61 @@ const tests = {
     return opened;
   },
 
+  async what_the_page_says_leads_from_nothing_to_a_plant() {
+    const opened = await open();
+    const { page } = opened;
+    const begin = Date.now();
+    await page.evaluate(() => sessionStorage.clear());
+    await page.click('#new');
+    await settled(page);
+    const hint = await page.textContent('.hint');
+    for (const said of ['scale 0.85', 'translate y 0.4', 'rotate by z and 3 degrees', 'Scale 0.4, rotate z by 50 degrees, translate 0, 0.4, 0', 'Mirror', 'x y z', '0.03, 0.35, 0.03', 'PNG'])
+      assert.ok(hint.includes(said), `it says ${said}`);
+    const card = index => page.locator('.card').nth(index);
+    const put = (name, value) => page.fill(`.card.open [aria-label="${name}"]`, value);
+    await card(0).locator('.map-title').click();
+    await put('scale', '0.85');
+    await put('translate y', '0.4');
+    await page.click('.card.open button:text-is("rotate")');
+    await put('rotate axis', 'z');
+    await put('rotate degrees', '3');
+    await card(1).locator('.map-title').click();
+    await put('scale', '0.4');
+    await put('rotate degrees', '50');
+    for (const [axis, value] of Object.entries({ x: '0', y: '0.4', z: '0' })) await put(`translate ${axis}`, value);
+    await page.click('.card.open button:text-is("Mirror")');
+    await page.click('button:text-is("+ Map")');
+    await page.click('.card.open button:text-is("x y z")');
+    for (const [axis, value] of Object.entries({ x: '0.03', y: '0.35', z: '0.03' })) await put(`scale ${axis}`, value);
+    for (const axis of ['x', 'y', 'z']) await put(`translate ${axis}`, '0');
+    await settled(page);
+    assert.equal((await page.$$('.card')).length, 4);
+    assert.ok(await page.isHidden('#mistakes'));
+    const download = page.waitForEvent('download');
+    await page.click('#png');
+    assert.equal(readFileSync(await (await download).path()).subarray(1, 4).toString(), 'PNG');
+    // A plant stands up: green, higher than wide, widest below its middle.
+    const { width, height, below, above, green } = await page.evaluate(() => {
+      const { pixels } = studio.live.last, at = (x, y) => pixels.data.subarray(4 * (y * pixels.width + x));
+      const [r, g, b] = at(0, 0);
+      let [left, right, top, bottom, green, all] = [1e9, 0, 1e9, 0, 0, 0];
+      const rows = new Array(pixels.height).fill(0);
+      for (let y = 0; y < pixels.height; ++y)
+        for (let x = 0; x < pixels.width; ++x) {
+          const c = at(x, y);
+          if (c[0] === r && c[1] === g && c[2] === b) continue;
+          [left, right, top, bottom] = [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)];
+          ++rows[y]; ++all;
+          if (c[1] > c[2]) ++green;
+        }
+      const middle = Math.round((top + bottom) / 2), sum = (a, z) => rows.slice(a, z).reduce((s, n) => s + n, 0);
+      return { width: right - left, height: bottom - top, above: sum(top, middle), below: sum(middle, bottom), green: green / all };
+    });
+    assert.ok(height > width && below > above && green > 0.8, JSON.stringify({ width, height, below, above, green }));
+    assert.ok(Date.now() - begin < 180_000, 'within three minutes');
+    return opened;
+  },
+
   async the_program_ends_when_the_page_is_closed() {
     const mortal = await startStudio(program, fill, []);
     const { page } = await openPage(context, mortal.address, '#scene=tetra.pxm');
@@ -412,9 +503,28 @@ async function agree(page) {
     return [s.outline.ifs[0].maps.map(m => mapOf(m, s.lets)), s.checked.ifs[0].maps.map(m => m.matrix), s.text === s.goodText, document.getElementById('text').value === s.text];
   });
   assert.ok(field, 'the field has the text');
-  if (!text) return;  // it does not contract: the program has refused it
+  if (!text) {  // it does not contract: the program has refused it, and says so
+    assert.ok(await page.isVisible('#mistakes'));
+    return false;
+  }
   assert.equal(own.length, theirs.length);
   own.forEach((map, i) => map.forEach((x, k) => assert.ok(Math.abs(x - theirs[i][k]) < 1e-9, `map ${i + 1}, number ${k}: ${x}, ${theirs[i][k]}`)));
+  return true;
+}
+
+/// Saves the scene and has the program print what it reads there: what is printed is read as the same,
+/// and is printed the same again.
+async function savedAgrees(page) {
+  if (await page.evaluate(() => studio.text !== studio.goodText)) return;
+  await page.keyboard.press('Control+s');
+  await page.waitForFunction(() => studio.saved === studio.text);
+  const name = await page.evaluate(() => studio.name);
+  assert.equal(readFileSync(join(studio.folder, name), 'utf8'), await page.evaluate(() => studio.text), 'the file has the text');
+  const print = file => execFileSync(program, ['check', file, '--format'], { cwd: studio.folder, encoding: 'utf8' });
+  const once = print(name);
+  writeFileSync(join(studio.folder, 'printed_again.pxm'), once);
+  assert.equal(print('printed_again.pxm'), once, 'what is printed is read as the same scene');
+  rmSync(join(studio.folder, 'printed_again.pxm'));
 }
 
 /// Laws of the page's modules (runs in the page).

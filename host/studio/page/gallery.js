@@ -3,6 +3,7 @@ import { byId, element } from './elements.js';
 import * as server from './server.js';
 
 const thumbnail = { columns: 264, rows: 198, samples: 1, machine: '', settings: [] };
+const patience = 8000;  // milliseconds for one of them
 
 class Thumbnails {
   constructor() {
@@ -22,10 +23,26 @@ class Thumbnails {
   async work() {
     if (this.busy) return;
     this.busy = true;
-    for (let card; (card = this.queue.shift());) {
-      try { await this.jobs.get(card)(); } catch (error) { card.querySelector('.why').textContent = String(error.message).split('\n')[0]; }
+    for (let card; !this.paused && (card = this.queue.shift());) {
+      const late = setTimeout(() => server.stop('thumbnail'), patience);
+      try {
+        const made = await this.jobs.get(card)();
+        if (!made && this.paused) this.queue.unshift(card);
+        else if (!made) card.querySelector('.why').textContent = 'takes long to prepare: open it to see it';
+      } catch (error) { card.querySelector('.why').textContent = String(error.message).split('\n')[0]; }
+      clearTimeout(late);
     }
     this.busy = false;
+  }
+
+  /// Whoever looks at a scene needs the program for that.
+  pause() {
+    this.paused = true;
+    if (this.busy) server.stop('thumbnail').catch(() => {});
+  }
+  resume() {
+    this.paused = false;
+    this.work();
   }
 }
 
@@ -47,7 +64,8 @@ export class Gallery {
     this.thumbnails.add(card, async () => {
       const picture = await server.picture({ name, text: await text(), ...thumbnail }, 'thumbnail');
       if (picture) canvas.getContext('2d').putImageData(picture.pixels, 0, 0);
-      canvas.classList.add('made');
+      if (picture) canvas.classList.add('made');
+      return picture !== null;
     });
     return card;
   }

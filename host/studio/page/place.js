@@ -51,6 +51,7 @@ export class Place {
       ? { text: this.dropped ?? studio.facts.shipped.find(s => s.name === name)?.text ?? beginning, digest: '' }
       : await server.open(name);
     this.dropped = null;
+    studio.gallery.thumbnails.pause();
     Object.assign(studio, { name, shipped, saved: file.text, digest: file.digest, history: new History(file.text),
       checked: null, base: null, camera: null, trail: [], frame: 0, ifs: 0, map: -1, goodText: '' });
     const kept = sessionStorage.getItem(this.keptAs());
@@ -70,6 +71,7 @@ export class Place {
 
   showGallery() {
     this.studio.name = '';
+    this.studio.gallery.thumbnails.resume();
     byId('gallery').hidden = false;
     byId('studio').hidden = true;
     byId('scene-tools').hidden = true;
