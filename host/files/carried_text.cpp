@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 
 #include "host/error.hpp"
@@ -24,6 +24,8 @@ constexpr long most_chunks = 4'000'000;  // of 64 bytes and more: a picture of m
 // zlib makes no stream longer than this of what is allowed, and base64 four letters of three bytes.
 constexpr std::size_t stream_bytes = carried_bytes + carried_bytes / 256 + 64;
 constexpr std::size_t letters = (stream_bytes + 2) / 3 * 4;
+
+constexpr std::size_t piece_letters = 252;  // of a string attribute: at most 255
 
 constexpr std::string_view alphabet =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -117,7 +119,14 @@ std::optional<std::string> in_exr(const RegularFile& exr) {
 
 std::string png_carried(std::string_view text) { return std::string(png_head) + deflated(text); }
 
-std::string exr_carried(std::string_view text) { return base64(deflated(text)); }
+std::vector<std::pair<std::string, std::string>> exr_carried(std::string_view text) {
+    const std::string all = base64(deflated(text));
+    std::vector<std::pair<std::string, std::string>> pieces;
+    for (std::size_t at = 0; at < all.size(); at += piece_letters)
+        pieces.emplace_back(fmt::format("{}_{:04}", carried_name, pieces.size() + 1),
+                            all.substr(at, piece_letters));
+    return pieces;
+}
 
 std::optional<std::string> carried_text(const RegularFile& picture) {
     const auto format = found_format(picture.read(0, image_head_bytes)).format;

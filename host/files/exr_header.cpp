@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <string>
 
 #include "host/error.hpp"
@@ -33,19 +34,26 @@ class HeaderReader {
         return sizes_;
     }
 
-    ExrText text_of(std::string_view wanted, std::size_t most) {
+    ExrText text_of(std::string_view start, std::size_t most) {
+        std::map<std::string, std::string> pieces;
+        std::size_t bytes_of_all = 0;
         at_ = 8;  // after the magic number and the version
         for (std::string name = text(); !name.empty(); name = text()) {
             if (++attributes_ > most_attributes) refuse();
             const std::string type = text();
             const std::uint32_t bytes = number(take(4), 0);
-            if (name == wanted) {
-                if (type != "string" || bytes > most) return {true, {}};
-                return {true, take(bytes)};
+            if (!name.starts_with(start)) {
+                at_ += bytes;
+                continue;
             }
-            at_ += bytes;
+            bytes_of_all += bytes;
+            if (type != "string" || bytes_of_all > most) return {true, {}};
+            pieces[name] = take(bytes);
         }
-        return {};
+        if (pieces.empty()) return {};
+        std::string whole;
+        for (const auto& [name, piece] : pieces) whole += piece;
+        return {true, whole};
     }
 
   private:
@@ -134,8 +142,8 @@ class HeaderReader {
 
 ExrSizes largest_exr_sizes(const RegularFile& file) { return HeaderReader(file).sizes(); }
 
-ExrText exr_text(const RegularFile& file, std::string_view name, std::size_t most) {
-    return HeaderReader(file).text_of(name, most);
+ExrText exr_text(const RegularFile& file, std::string_view start, std::size_t most) {
+    return HeaderReader(file).text_of(start, most);
 }
 
 }  // namespace pxm::host

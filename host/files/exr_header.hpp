@@ -26,13 +26,14 @@ struct ExrSizes {
 /// header is not one.
 [[nodiscard]] ExrSizes largest_exr_sizes(const RegularFile& file);
 
-/// An attribute of the first part.
+/// A text that stands in several attributes of the first part.
 struct ExrText {
     bool there = false;
-    std::optional<std::string> text;  // absent: no string, or one of more than `most` bytes
+    std::optional<std::string> text;  // absent: an attribute is no string, or all are more bytes
 };
 
-/// Throws as largest_exr_sizes().
-[[nodiscard]] ExrText exr_text(const RegularFile& file, std::string_view name, std::size_t most);
+/// The attributes whose names start with `start`, in the order of their names, as one text of at
+/// most `most` bytes. Throws as largest_exr_sizes().
+[[nodiscard]] ExrText exr_text(const RegularFile& file, std::string_view start, std::size_t most);
 
 }  // namespace pxm::host

@@ -146,9 +146,13 @@ PictureSpec LibraryEncoder::spec(const Metadata& metadata) const {
         set_exr(metadata, spec);
         spec.metadata.emplace_back("compression", "zip");
         // No colon in the names: to some readers what stands before it is a channel's.
-        for (const auto& [name, value] : metadata)
-            spec.metadata.emplace_back("pxm_" + name,
-                                       name == carried_metadata ? exr_carried(value) : value);
+        for (const auto& [name, value] : metadata) {
+            if (name != carried_metadata) {
+                spec.metadata.emplace_back("pxm_" + name, value);
+                continue;
+            }
+            for (const auto& piece : exr_carried(value)) spec.metadata.push_back(piece);
+        }
     }
     return spec;
 }
