@@ -36,7 +36,7 @@ inline void expect_same(const std::string& name, RenderRequest request) {
     request.code = NodeCode::counted;
     const RenderResult counted = render_scene(name, request);
     EXPECT_TRUE(test::same_picture(own.frame, counted.frame)) << name;
-    EXPECT_GT(counted.statistics.rays.hits, 20U) << name;
+    EXPECT_GT(counted.statistics.rays.hits, 8U) << name;
     for (std::size_t i = 0; i < own.frame.pixels.size(); ++i) {
         const PixelRecord &a = own.frame.pixels[i], &b = counted.frame.pixels[i];
         ASSERT_EQ(a.alpha, b.alpha) << name << " " << i;

@@ -24,16 +24,16 @@ using test::tetra_text;
 
 TEST(AssembledMachine, tetra_menger_and_elm_are_those_of_the_counted_kernels) {
     for (const char* name : {"tetra", "menger", "elm"})
-        expect_same(name, assembled("964dX", 40, 30));
+        expect_same(name, assembled("964dX", 24, 18));
 }
 
 TEST(AssembledMachine, so_are_other_systems_of_maps) {
     for (const char* name : {"octo", "icos", "dodec", "twindragon", "fir"})
-        expect_same(name, assembled("964dX", 24, 18));
+        expect_same(name, assembled("964dX", 16, 12));
 }
 
 TEST(AssembledMachine, so_are_pictures_with_constants_by_determinant_samples_and_levels) {
-    RenderRequest request = assembled("920", 23, 17);
+    RenderRequest request = assembled("920", 17, 13);
     request.overrides.lipschitz = LipschitzMethod::determinant;
     request.overrides.samples = 3;
     request.overrides.zoom = 4;
@@ -43,7 +43,7 @@ TEST(AssembledMachine, so_are_pictures_with_constants_by_determinant_samples_and
 }
 
 TEST(AssembledMachine, an_eye_within_the_attractor_sees_what_the_kernels_see) {
-    RenderRequest request = assembled("964dX", 24, 18);
+    RenderRequest request = assembled("964dX", 16, 12);
     request.overrides.zoom = 40;
     expect_same("tetra", request);
     request.overrides.zoom = 3;
