@@ -11,6 +11,7 @@
 #include "host/fractal/neighbours/distinct_words.hpp"
 #include "host/fractal/neighbours/graph_growth.hpp"
 #include "host/fractal/neighbours/neighbour_graph.hpp"
+#include "host/fractal/neighbours/tile_volume.hpp"
 #include "host/fractal/system/graph_facts.hpp"
 
 namespace pxm::host {
@@ -25,6 +26,7 @@ class Findings {
              const NeighbourLimits& limits)
         : system_(system),
           rifs_(rifs),
+          bounds_(bounds),
           whole_(rifs.follow_sets.size() == 1),
           strong_(graph_facts(rifs).strongly_connected),
           graph_(neighbour_graph(system, rifs, bounds, limits)) {}
@@ -261,6 +263,11 @@ class Findings {
     }
 
     void add_interior() {
+        if (is_interval()) {
+            found_.interior = {true, "a connected set in a line is an interval"};
+            found_.volume = {std::nullopt, "not computed"};
+            return;
+        }
         if (whole_) {
             const int excess = volume_excess();
             if (excess < 0)
@@ -273,10 +280,15 @@ class Findings {
             found_.interior = {true,
                                "the open-set condition holds and the maps' volumes add up to the "
                                "whole's [Schief94]"};
-            found_.volume = {std::nullopt, "not computed"};
+            found_.volume = whole_ ? tile_volume(system_, rifs_, graph_, bounds_[0])
+                                   : Decided<double>{std::nullopt, "not computed for graphs"};
             return;
         }
         add_interior_of_graph();
+    }
+
+    [[nodiscard]] bool is_interval() const {
+        return found_.dimensions == 1 && found_.connected.value.value_or(false);
     }
 
     /// Whether the follow sets can have positive volumes of which each is the sum of its maps'
@@ -331,6 +343,10 @@ class Findings {
             found_.boundary = {std::nullopt, found_.interior.why};
             return;
         }
+        if (is_interval()) {
+            found_.boundary = {0.0, "the two ends of an interval"};
+            return;
+        }
         GrowthGraph graph(graph_.types.size());
         for (std::size_t t = 0; t < graph.size(); ++t)
             for (const NeighbourEdge& e : graph_.types[t].edges)
@@ -347,6 +363,7 @@ class Findings {
 
     const exact::ExactSystem& system_;
     const Rifs& rifs_;
+    const std::vector<Bounds>& bounds_;
     bool whole_;  // one follow set: an IFS
     bool strong_;
     NeighbourGraph graph_;
