@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "host/fractal/bounds/affine_hull.hpp"
 #include "host/fractal/exact/exact_system.hpp"
 #include "host/fractal/neighbours/distinct_words.hpp"
 #include "host/fractal/neighbours/graph_growth.hpp"
@@ -20,6 +21,16 @@ namespace {
 
 constexpr std::size_t most_states = 20'000;  // of words without duplicates
 
+constexpr const char* flat_pieces = "some pieces lie in a smaller line or plane than the maps keep";
+
+/// Whether each E_s has points that span the whole subspace. Turns around a smaller one would be
+/// different maps, and the same pieces.
+bool pieces_fill(const exact::ExactSystem& system, const Rifs& rifs) {
+    return std::ranges::all_of(affine_hulls(rifs), [&](const AffineHull& hull) {
+        return hull.dimension >= system.field.dimensions;
+    });
+}
+
 class Findings {
   public:
     Findings(const exact::ExactSystem& system, const Rifs& rifs, const std::vector<Bounds>& bounds,
@@ -29,6 +40,7 @@ class Findings {
           bounds_(bounds),
           whole_(rifs.follow_sets.size() == 1),
           strong_(graph_facts(rifs).strongly_connected),
+          full_(whole_ || pieces_fill(system, rifs)),
           graph_(neighbour_graph(system, rifs, bounds, limits)) {}
 
     ExactFindings run() {
@@ -142,6 +154,8 @@ class Findings {
             found_.open_set = {std::nullopt, unfinished()};
         } else if (!similar()) {
             found_.open_set = {std::nullopt, "not every map is a similitude"};
+        } else if (!full_) {
+            found_.open_set = {std::nullopt, flat_pieces};
         } else {
             found_.open_set = {true,
                                fmt::format("{} neighbours, none of them the identity, in exact "
@@ -206,6 +220,8 @@ class Findings {
     void add_hausdorff() {
         if (!similar()) {
             found_.hausdorff = {std::nullopt, "not every map is a similitude"};
+        } else if (!full_) {
+            found_.hausdorff = {std::nullopt, flat_pieces};
         } else if (found_.open_set.value.value_or(false)) {
             GrowthGraph graph(rifs_.follow_sets.size());
             for (std::size_t s = 0; s < graph.size(); ++s)
@@ -288,7 +304,7 @@ class Findings {
     }
 
     [[nodiscard]] bool is_interval() const {
-        return found_.dimensions == 1 && found_.connected.value.value_or(false);
+        return full_ && found_.dimensions == 1 && found_.connected.value.value_or(false);
     }
 
     /// Whether the follow sets can have positive volumes of which each is the sum of its maps'
@@ -366,6 +382,7 @@ class Findings {
     const std::vector<Bounds>& bounds_;
     bool whole_;  // one follow set: an IFS
     bool strong_;
+    bool full_;  // no piece lies in a smaller subspace than the maps keep
     NeighbourGraph graph_;
     ExactFindings found_;
 };
