@@ -11,7 +11,7 @@ using exact::Polynomial;
 constexpr int deepest_let = 100;
 
 /// Longer numbers cost more than anybody's scene is worth.
-constexpr std::size_t longest_number = 400;
+constexpr std::size_t longest_number = 60;
 constexpr double largest_number = 1e100;
 
 }  // namespace

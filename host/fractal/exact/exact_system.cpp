@@ -19,7 +19,10 @@ class Arithmetic {
   public:
     explicit Arithmetic(const NumberField& field) : field_(field) {}
     [[nodiscard]] Polynomial product(const Polynomial& a, const Polynomial& b) const {
-        return remainder(a * b, field_.minimal_polynomial());
+        constexpr long longest = 100'000;  // bits
+        Polynomial product = remainder(a * b, field_.minimal_polynomial());
+        if (product.bits() > longest) throw NotExact{"its numbers have too many digits"};
+        return product;
     }
     [[nodiscard]] Polynomial quotient(const Polynomial& a, const Polynomial& b) const {
         return product(a, inverse_modulo(b, field_.minimal_polynomial()));
@@ -324,6 +327,10 @@ ExactSystem exact_system(WrittenMaps written, const Rifs& rifs) {
     system.field = facts_of(system.numbers, n, all_rational(maps));
     for (std::size_t i = 0; i < n; ++i) system.axes[i] = static_cast<int>(space.basis.columns[i]);
     if (n == 0) return system;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            if (c != space.basis.columns[i] && !space.basis.rows[i][c].is_zero())
+                system.along_axes = false;
     for (const Written& map : maps) {
         const Vector entries = in_coordinates(with, space, map);
         system.maps.emplace_back(system.field, entries);
@@ -356,6 +363,34 @@ std::optional<std::vector<Polynomial>> kernel_vector(
     for (std::size_t i = 0; i < basis.rows.size(); ++i)
         kernel[basis.columns[i]] = Polynomial(0) - basis.rows[i][free];
     return kernel;
+}
+
+Polynomial determinant(const ExactSystem& system,
+                       const std::vector<std::vector<Polynomial>>& rows) {
+    Vector entries;
+    for (const auto& row : rows) {
+        entries.insert(entries.end(), row.begin(), row.end());
+        entries.emplace_back();  // where a map has its translation
+    }
+    return determinant_of(Arithmetic(system.numbers), entries, rows.size());
+}
+
+std::optional<double> common_measure(const ExactSystem& system,
+                                     const std::vector<Polynomial>& numbers) {
+    const Arithmetic with(system.numbers);
+    const Polynomial* unit = nullptr;
+    Polynomial measure;  // in units of the first that is not 0
+    for (const Polynomial& number : numbers) {
+        if (number.is_zero()) continue;
+        if (unit == nullptr) unit = &number;
+        const Polynomial ratio = with.quotient(number, *unit);
+        if (!ratio.is_rational()) return std::nullopt;
+        measure = rational_common_divisor(measure, ratio);
+    }
+    if (unit == nullptr) return std::nullopt;
+    Algebraic a = system.numbers.lifted(whole(0));
+    a.value = with.product(*unit, measure);
+    return std::abs(system.numbers.approximate(a));
 }
 
 }  // namespace pxm::host::exact

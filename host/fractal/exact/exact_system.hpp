@@ -26,6 +26,7 @@ struct ExactSystem {
     NumberField numbers;
     FieldFacts field;                // its `dimensions` are those of the subspace
     std::array<int, 3> axes{};       // coordinates that tell its points apart; `dimensions` of them
+    bool along_axes = true;          // the subspace is parallel to them
     std::vector<ExactMap> maps;      // in these coordinates
     std::vector<ExactMap> inverses;  // empty if a map has none
     std::vector<Polynomial> volume_ratio;  // per map: the determinant
@@ -44,5 +45,19 @@ struct ExactSystem {
 /// A vector that the square matrix, given by rows, takes to zero, if there is one up to a factor.
 [[nodiscard]] std::optional<std::vector<Polynomial>> kernel_vector(
     const ExactSystem& system, const std::vector<std::vector<Polynomial>>& rows);
+
+/// Of a square matrix of up to three rows.
+[[nodiscard]] Polynomial determinant(const ExactSystem& system,
+                                     const std::vector<std::vector<Polynomial>>& rows);
+
+/// The largest number that all of them are whole multiples of, rounded; nothing if there is none,
+/// or all are 0.
+[[nodiscard]] std::optional<double> common_measure(const ExactSystem& system,
+                                                   const std::vector<Polynomial>& numbers);
+
+/// Whether the subspace is parallel to the axes that its coordinates are along.
+[[nodiscard]] inline bool is_coordinate_plane(const ExactSystem& system) {
+    return system.along_axes;
+}
 
 }  // namespace pxm::host::exact

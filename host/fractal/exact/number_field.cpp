@@ -18,6 +18,7 @@ namespace {
 constexpr long largest_degree = 8;   // of the whole field over the rationals
 constexpr long largest_norm = 36;    // degree of what is factored for one more number
 constexpr long bits = 6'800;         // of balls: 2,000 digits and more
+constexpr long longest = 4'096;      // bits of a number in an element
 constexpr long most_shifts = 40;     // primitive elements tried
 constexpr long largest_order = 720;  // of a turn whose cosine is looked for
 
@@ -211,6 +212,7 @@ struct NumberField::Inside {
 
     [[nodiscard]] const Stage& now() const { return stages.back(); }
     [[nodiscard]] Algebraic element(const Polynomial& p) const {
+        if (p.bits() > longest) throw NotExact{"its numbers have too many digits"};
         return {static_cast<int>(stages.size()) - 1, remainder(p, now().modulus)};
     }
     [[nodiscard]] Polynomial lift(const Algebraic& a) const {

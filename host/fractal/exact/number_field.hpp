@@ -33,6 +33,7 @@ class NumberField {
     NumberField(const NumberField&) = delete;
     NumberField& operator=(const NumberField&) = delete;
 
+    /// Sums, products and quotients throw NotExact where numbers would grow too long.
     [[nodiscard]] Algebraic add(const Algebraic& a, const Algebraic& b) const;
     [[nodiscard]] Algebraic subtract(const Algebraic& a, const Algebraic& b) const;
     [[nodiscard]] Algebraic multiply(const Algebraic& a, const Algebraic& b) const;

@@ -2,7 +2,9 @@
 
 #include <flint/fmpq.h>
 #include <flint/fmpz.h>
+#include <flint/fmpz_vec.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -65,6 +67,12 @@ Polynomial Polynomial::of_double(double value) {
     return result;
 }
 
+long Polynomial::bits() const {
+    const long numerators =
+        std::labs(_fmpz_vec_max_bits(fmpq_poly_numref(value_), fmpq_poly_length(value_)));
+    return std::max(numerators, static_cast<long>(fmpz_bits(fmpq_poly_denref(value_))));
+}
+
 Polynomial operator+(const Polynomial& a, const Polynomial& b) {
     Polynomial c;
     fmpq_poly_add(c.get(), a.get(), b.get());
@@ -102,6 +110,20 @@ Polynomial composed(const Polynomial& a, const Polynomial& b, const Polynomial& 
         fmpq_clear(c);
         result = result + coefficient;
     }
+    return result;
+}
+
+Polynomial rational_common_divisor(const Polynomial& a, const Polynomial& b) {
+    fmpq_t x, y;
+    fmpq_init(x);
+    fmpq_init(y);
+    fmpq_poly_get_coeff_fmpq(x, a.get(), 0);
+    fmpq_poly_get_coeff_fmpq(y, b.get(), 0);
+    fmpq_gcd(x, x, y);
+    Polynomial result;
+    fmpq_poly_set_fmpq(result.get(), x);
+    fmpq_clear(x);
+    fmpq_clear(y);
     return result;
 }
 

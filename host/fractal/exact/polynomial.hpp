@@ -34,6 +34,8 @@ class Polynomial {
     [[nodiscard]] long degree() const { return fmpq_poly_degree(value_); }
     [[nodiscard]] bool is_zero() const { return fmpq_poly_is_zero(value_) != 0; }
     [[nodiscard]] bool is_rational() const { return degree() <= 0; }
+    /// How many bits its longest number has.
+    [[nodiscard]] long bits() const;
     bool operator==(const Polynomial& other) const {
         return fmpq_poly_equal(value_, other.value_) != 0;
     }
@@ -50,6 +52,8 @@ class Polynomial {
 /// a(b) modulo `modulus`.
 [[nodiscard]] Polynomial composed(const Polynomial& a, const Polynomial& b,
                                   const Polynomial& modulus);
+/// The largest rational that both rationals are whole multiples of.
+[[nodiscard]] Polynomial rational_common_divisor(const Polynomial& a, const Polynomial& b);
 /// 1 / a modulo `modulus`. Precondition: they have no common factor.
 [[nodiscard]] Polynomial inverse_modulo(const Polynomial& a, const Polynomial& modulus);
 

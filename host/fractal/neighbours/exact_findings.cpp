@@ -7,10 +7,12 @@
 #include <numeric>
 #include <set>
 
+#include "host/fractal/bounds/affine_hull.hpp"
 #include "host/fractal/exact/exact_system.hpp"
 #include "host/fractal/neighbours/distinct_words.hpp"
 #include "host/fractal/neighbours/graph_growth.hpp"
 #include "host/fractal/neighbours/neighbour_graph.hpp"
+#include "host/fractal/neighbours/tile_volume.hpp"
 #include "host/fractal/system/graph_facts.hpp"
 
 namespace pxm::host {
@@ -19,14 +21,26 @@ namespace {
 
 constexpr std::size_t most_states = 20'000;  // of words without duplicates
 
+constexpr const char* flat_pieces = "some pieces lie in a smaller line or plane than the maps keep";
+
+/// Whether each E_s has points that span the whole subspace. Turns around a smaller one would be
+/// different maps, and the same pieces.
+bool pieces_fill(const exact::ExactSystem& system, const Rifs& rifs) {
+    return std::ranges::all_of(affine_hulls(rifs), [&](const AffineHull& hull) {
+        return hull.dimension >= system.field.dimensions;
+    });
+}
+
 class Findings {
   public:
     Findings(const exact::ExactSystem& system, const Rifs& rifs, const std::vector<Bounds>& bounds,
              const NeighbourLimits& limits)
         : system_(system),
           rifs_(rifs),
+          bounds_(bounds),
           whole_(rifs.follow_sets.size() == 1),
           strong_(graph_facts(rifs).strongly_connected),
+          full_(whole_ || pieces_fill(system, rifs)),
           graph_(neighbour_graph(system, rifs, bounds, limits)) {}
 
     ExactFindings run() {
@@ -140,6 +154,8 @@ class Findings {
             found_.open_set = {std::nullopt, unfinished()};
         } else if (!similar()) {
             found_.open_set = {std::nullopt, "not every map is a similitude"};
+        } else if (!full_) {
+            found_.open_set = {std::nullopt, flat_pieces};
         } else {
             found_.open_set = {true,
                                fmt::format("{} neighbours, none of them the identity, in exact "
@@ -204,6 +220,8 @@ class Findings {
     void add_hausdorff() {
         if (!similar()) {
             found_.hausdorff = {std::nullopt, "not every map is a similitude"};
+        } else if (!full_) {
+            found_.hausdorff = {std::nullopt, flat_pieces};
         } else if (found_.open_set.value.value_or(false)) {
             GrowthGraph graph(rifs_.follow_sets.size());
             for (std::size_t s = 0; s < graph.size(); ++s)
@@ -261,6 +279,11 @@ class Findings {
     }
 
     void add_interior() {
+        if (is_interval()) {
+            found_.interior = {true, "a connected set in a line is an interval"};
+            found_.volume = {std::nullopt, "not computed"};
+            return;
+        }
         if (whole_) {
             const int excess = volume_excess();
             if (excess < 0)
@@ -273,10 +296,15 @@ class Findings {
             found_.interior = {true,
                                "the open-set condition holds and the maps' volumes add up to the "
                                "whole's [Schief94]"};
-            found_.volume = {std::nullopt, "not computed"};
+            found_.volume = whole_ ? tile_volume(system_, rifs_, graph_, bounds_[0])
+                                   : Decided<double>{std::nullopt, "not computed for graphs"};
             return;
         }
         add_interior_of_graph();
+    }
+
+    [[nodiscard]] bool is_interval() const {
+        return full_ && found_.dimensions == 1 && found_.connected.value.value_or(false);
     }
 
     /// Whether the follow sets can have positive volumes of which each is the sum of its maps'
@@ -331,6 +359,10 @@ class Findings {
             found_.boundary = {std::nullopt, found_.interior.why};
             return;
         }
+        if (is_interval()) {
+            found_.boundary = {0.0, "the two ends of an interval"};
+            return;
+        }
         GrowthGraph graph(graph_.types.size());
         for (std::size_t t = 0; t < graph.size(); ++t)
             for (const NeighbourEdge& e : graph_.types[t].edges)
@@ -347,8 +379,10 @@ class Findings {
 
     const exact::ExactSystem& system_;
     const Rifs& rifs_;
+    const std::vector<Bounds>& bounds_;
     bool whole_;  // one follow set: an IFS
     bool strong_;
+    bool full_;  // no piece lies in a smaller subspace than the maps keep
     NeighbourGraph graph_;
     ExactFindings found_;
 };

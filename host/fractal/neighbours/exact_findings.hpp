@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/fractal/bounds/bounds.hpp"
+#include "host/fractal/neighbours/decided.hpp"
 #include "host/fractal/neighbours/neighbour_limits.hpp"
 #include "host/fractal/system/rifs.hpp"
 
@@ -18,13 +19,6 @@ namespace pxm::host {
 namespace exact {
 struct WrittenMaps;
 }
-
-/// Something decided, or nothing; and why.
-template <class Value>
-struct Decided {
-    std::optional<Value> value;
-    std::string why;
-};
 
 /// A type of neighbours: E_first against map(E_second).
 struct TouchingType {

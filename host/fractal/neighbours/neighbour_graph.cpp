@@ -200,7 +200,8 @@ class Search {
         Approximate child = j < 0 ? h : composed(h, forward_[static_cast<std::size_t>(j)], n_);
         if (i >= 0) child = composed(backward_[static_cast<std::size_t>(i)], child, n_);
         if (child.error < most_error && apart(s1, s2, child)) return;
-        steps_ += exact_cost_;
+        constexpr std::size_t short_bits = 256;
+        steps_ += exact_cost_ * (1 + static_cast<std::size_t>(map.bits()) / short_bits);
         exact::ExactMap exact_child = map;
         if (j >= 0)
             exact_child = exact::ExactMap::composed(system_.field, exact_child,

@@ -26,15 +26,38 @@ inline void expect_map_keys(const nlohmann::json& map, const std::string& where)
 
 inline void expect_ifs_keys(const nlohmann::json& ifs, const std::string& where) {
     expect_keys(ifs,
-                {"maps", "contractivity", "start", "components", "bounding_sphere", "bounding_box",
-                 "dimension", "totally_disconnected"},
+                {"maps",
+                 "contractivity",
+                 "start",
+                 "components",
+                 "bounding_sphere",
+                 "bounding_box",
+                 "dimension",
+                 "totally_disconnected",
+                 "neighbours",
+                 "exact_overlaps",
+                 "exact_overlaps_why",
+                 "overlapping_words",
+                 "connected",
+                 "connected_why",
+                 "boundary",
+                 "interior",
+                 "interior_why",
+                 "volume",
+                 "volume_why",
+                 "centroid",
+                 "principal_axes",
+                 "diameter"},
                 where);
+    expect_keys(ifs["neighbours"], {"finite", "finite_why", "types", "touching"}, where);
+    expect_keys(ifs["boundary"], {"dimension", "why"}, where);
+    expect_keys(ifs["diameter"], {"value", "between"}, where);
     expect_keys(ifs["bounding_sphere"], {"center", "radius"}, where);
     expect_keys(ifs["bounding_box"], {"min", "max"}, where);
     const nlohmann::json& dimension = ifs["dimension"];
     expect_keys(dimension,
                 {"similarity", "affinity", "affinity_upper", "affinity_exact", "box_counting",
-                 "box_counting_error"},
+                 "box_counting_error", "hausdorff", "hausdorff_why", "hausdorff_exact"},
                 where);
     if (!dimension["similarity"].is_null()) {
         EXPECT_LE(dimension["similarity"], dimension["affinity_upper"]) << where;

@@ -196,7 +196,7 @@ TEST(KnownValues, a_prism_of_eight_halves_has_inside) {
     EXPECT_NEAR(found.boundary.value.value(), 2, 1e-9);
 }
 
-/// [Thurston89] [FFIW06]: the tribonacci tile, 1.093364; its maps turn by the complex root of x^3 =
+/// [FFIW06]: the tribonacci tile, 1.093364; its maps turn by the complex root of x^3 =
 /// x^2 + x + 1.
 TEST(KnownValues, rauzy_fractal) {
     using namespace host::exact;
