@@ -10,6 +10,10 @@ target_compile_options(pxm_flags INTERFACE
 target_compile_features(pxm_flags INTERFACE cxx_std_20)
 target_include_directories(pxm_flags INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${PXM_INSTALL_HEADERS}>)
+# What is fuzzed is watched, and tells the fuzzer where it has been.
+if(PXM_BUILD_FUZZERS)
+    target_compile_options(pxm_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(PXM_SANITIZE)
     target_compile_options(pxm_flags INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
