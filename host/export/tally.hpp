@@ -60,6 +60,10 @@ struct Tally {
     CoordinateNumber number = CoordinateNumber::single;
 };
 
+/// How many cells, vertices and triangles there are, without a visit. All 0 where words end at a
+/// length, which nobody knows before; largest numbers where there are more.
+[[nodiscard]] Tally forecast(const ExportScene& scene);
+
 /// Visits every cell once. Throws Error(ErrorKind::scene) where words do not end.
 [[nodiscard]] Tally tally_of(const ExportScene& scene, Watch& watch);
 
