@@ -75,7 +75,12 @@ std::string summary(const Tally& tally, const std::string& path) {
 std::string write_cells(const ExportScene& scene, ExportFormat format, const std::string& path,
                         const std::string& data, const std::string& title, Progress& progress,
                         const std::atomic<bool>& stop) {
+    const Tally forecasted = forecast(scene);
+    if (format == ExportFormat::ply) require_ply(forecasted);
+    if (format == ExportFormat::stl) require_stl(forecasted);
+    if (format == ExportFormat::glb) require_instances(forecasted);
     Watch counting(progress, stop);
+    counting.expect(forecasted.cells);
     const Tally tally = tally_of(scene, counting);
     require_room(scene, tally, format);
     Watch watch(progress, stop);

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "host/error.hpp"
 #include "host/text/printable.hpp"
@@ -72,6 +73,44 @@ void Watch::look() {
     if (stop_) throw ExportStopped{};
     if (expected_ > 0)
         progress_.update(static_cast<double>(visited_) / static_cast<double>(expected_));
+}
+
+Tally forecast(const ExportScene& scene) {
+    struct Counts {
+        double cells = 0, vertices = 0, triangles = 0;
+        void add(const Counts& other) {
+            cells += other.cells;
+            vertices += other.vertices;
+            triangles += other.triangles;
+        }
+    };
+    Counts all;
+    for (const ExportSystem& system : scene.systems) {
+        if (system.detail > 0 && !system.maps.empty()) return {};
+        std::vector<Counts> inside;  // of what ends after so many more maps
+        for (const SystemSet& set : system.sets)
+            inside.push_back({1, static_cast<double>(set.shape.vertices.size()),
+                              static_cast<double>(triangles_of(set.shape).size())});
+        const std::uint32_t levels = system.maps.empty() ? 0 : system.levels;
+        for (std::uint32_t level = 0; level < levels; ++level) {
+            std::vector<Counts> around(inside.size());
+            for (std::size_t s = 0; s < around.size(); ++s)
+                for (const int m : system.sets[s].maps)
+                    around[s].add(inside[static_cast<std::size_t>(
+                        system.maps[static_cast<std::size_t>(m)].inside)]);
+            inside = std::move(around);
+        }
+        all.add(inside[static_cast<std::size_t>(system.start)]);
+    }
+    const auto whole = [](double count) {
+        constexpr auto most = std::numeric_limits<std::uint64_t>::max();
+        return count < 1e19 ? static_cast<std::uint64_t>(count) : most;
+    };
+    Tally tally;
+    tally.cells = whole(all.cells);
+    tally.vertices = whole(all.vertices);
+    tally.triangles = whole(all.triangles);
+    return tally;
 }
 
 double cells_by_levels(const ExportSystem& system) {

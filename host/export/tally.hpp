@@ -60,6 +60,10 @@ struct Tally {
     CoordinateNumber number = CoordinateNumber::single;
 };
 
+/// How many cells, vertices and triangles there are, without a visit. All 0 where words end at a
+/// length, which nobody knows before; largest numbers where there are more.
+[[nodiscard]] Tally forecast(const ExportScene& scene);
+
 inline constexpr double most_cells = 1e9;  // of a file
 
 /// How many cells there are if nothing but the levels ends a word, without visiting them; infinity

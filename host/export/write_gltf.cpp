@@ -141,6 +141,15 @@ std::string padded_json(const ExportJob& job) {
 
 }  // namespace
 
+void require_instances(const Tally& tally) {
+    constexpr std::uint64_t least_bytes = 24;  // a translation and a scale
+    constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+    if (tally.cells > most / least_bytes)
+        throw Error(ErrorKind::setting,
+                    fmt::format("{} cells: a .glb holds 4 GiB at most; --format gltf holds more",
+                                tally.cells));
+}
+
 void require_gltf(const ExportScene& scene, const Tally& tally, bool is_glb) {
     constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
     constexpr std::uint64_t room = 16'000'000;  // for the JSON

@@ -41,6 +41,8 @@ void require_stl(const Tally& tally);
 void write_gltf_data(const ExportJob& job, CheckedFile& file);
 void write_glb(const ExportJob& job, CheckedFile& file);
 void require_gltf(const ExportScene& scene, const Tally& tally, bool is_glb);
+/// The same of a .glb as far as the number of cells says it.
+void require_instances(const Tally& tally);
 
 /// A PointInstancer a shape, a prim a cell where cells are sheared.
 void write_usda(const ExportJob& job, CheckedFile& file);

@@ -248,10 +248,14 @@ TEST_F(Export, far_small_cells_are_doubles_or_refused) {
 }
 
 TEST_F(Export, what_a_format_cannot_hold_is_refused_before_anything_is_written) {
-    folder.write("deep.pxm",
-                 "ifs a { newmap scale: 0.5 newmap scale: 0.5 }\nobject a { ifs: a }\n");
     expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a.ply"}, 2,
                           {"object \"sponge\" does not say where it ends: --levels N or --detail"});
+    for (const auto& [out, message] :
+         {std::pair{"a.ply", "the numbers of a PLY mesh end at 4294967295"},
+          std::pair{"a.stl", "STL counts to 4294967295"},
+          std::pair{"a.glb", "a .glb holds 4 GiB at most; --format gltf holds more"}})
+        expect_refusal_naming(folder, {"export", "menger.pxm", "-o", out, "--levels", "900"}, 2,
+                              {message});
     expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a.png"}, 2,
                           {"a.png: its extension names no format"});
     expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a", "--format", "x"}, 2,
