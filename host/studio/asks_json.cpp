@@ -135,6 +135,15 @@ AskedFile asked_file(const std::string& body) {
     return asked;
 }
 
+AskedCheck asked_check(const std::string& body) {
+    const Json json = parsed(body);
+    AskedCheck asked{scene_of(json), {}};
+    if (json.contains("columns") || json.contains("rows"))
+        asked.size = {whole_at(json, "columns", 1, asked_side_pixels),
+                      whole_at(json, "rows", 1, asked_side_pixels)};
+    return asked;
+}
+
 AskedImport asked_import(const std::string& body) {
     const Json json = parsed(body);
     AskedImport asked;

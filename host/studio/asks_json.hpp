@@ -1,6 +1,7 @@
 // The questions of a page: JSON in, checked values out.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "host/studio/asks.hpp"
@@ -32,6 +33,14 @@ struct AskedFile {
     std::string seen;  // digest of what is replaced
 };
 [[nodiscard]] AskedFile asked_file(const std::string& body);
+
+/// A scene to be looked through, and how large the page shows it: the scene's own view depends on
+/// that.
+struct AskedCheck {
+    AskedScene scene;
+    std::optional<PixelSize> size;  // absent: as the scene says
+};
+[[nodiscard]] AskedCheck asked_check(const std::string& body);
 
 /// A file from elsewhere, to be made a scene of; its bytes come in base64.
 struct AskedImport {

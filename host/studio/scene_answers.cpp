@@ -32,10 +32,11 @@ Scene read_scene(const AskedScene& asked, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::string check_answer(const AskedScene& asked) {
+std::string check_answer(const AskedCheck& asked) {
     Diagnostics diagnostics;
-    const Scene scene = read_scene(asked, diagnostics);
-    const PixelSize size = scene.image ? scene.image->size.value_or(PixelSize{}) : PixelSize{};
+    const Scene scene = read_scene(asked.scene, diagnostics);
+    const PixelSize own = scene.image ? scene.image->size.value_or(PixelSize{}) : PixelSize{};
+    const PixelSize size = asked.size.value_or(own);
     const SceneView view = view_of(scene, size, diagnostics);
     diagnostics.throw_if_errors(scene.files);
     return checked_json(scene, view, diagnostics.warnings_text(scene.files));

@@ -9,7 +9,7 @@
 namespace pxm::host {
 
 /// JSON, all three. They throw Error for a scene that is wrong.
-[[nodiscard]] std::string check_answer(const AskedScene& asked);
+[[nodiscard]] std::string check_answer(const AskedCheck& asked);
 [[nodiscard]] std::string inspect_answer(const AskedScene& asked);
 /// The cell that a pixel shows.
 [[nodiscard]] std::string pick_answer(const AskedPixel& asked, int threads);

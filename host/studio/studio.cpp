@@ -156,8 +156,9 @@ class Studio::Desk {
     }
 
     HttpAnswer check(const HttpRequest& request) {
-        const AskedScene asked = asked_scene(request.body);
-        return in_turn(asked.asking, [&](const auto&) { return answer_of(check_answer(asked)); });
+        const AskedCheck asked = asked_check(request.body);
+        return in_turn(asked.scene.asking,
+                       [&](const auto&) { return answer_of(check_answer(asked)); });
     }
 
     HttpAnswer inspect(const HttpRequest& request) {

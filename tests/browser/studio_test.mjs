@@ -267,14 +267,14 @@ const tests = {
         if (what === 7) s.undo();
         if (what === 8) s.redo();
       }, [kind, random(1000), random(1000)]);
-      await settled(page);
+      await read(page);
       if (kind >= 10 && await textOf(page) !== before) ++dragged;
       if (await agree(page)) ++accepted;
       if (i % 10 === 9) await savedAgrees(page);
     }
     console.log(`  ${accepted} of the texts were right, ${dragged} handles were dragged`);
     assert.ok(accepted > 50 && dragged > 3);
-    while (!await agree(page)) { await page.evaluate(() => studio.undo()); await settled(page); }
+    while (!await agree(page)) { await page.evaluate(() => studio.undo()); await read(page); }
     await savedAgrees(page);
     await samePicture(page);
     writeFileSync(join(studio.folder, 'tetra.pxm'), tetra);
@@ -494,6 +494,9 @@ const tests = {
     return opened;
   },
 };
+
+/// Waits until the program has read the text; of pictures that overlap very much one need not see all.
+const read = page => page.waitForFunction(() => studio.base && !studio.checking.runs && !studio.handles.drag, null, { polling: 20 });
 
 /// The maps that the page has are those that the program reads from its text.
 async function agree(page) {

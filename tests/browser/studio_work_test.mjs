@@ -187,14 +187,17 @@ const tests = {
       const { outlineOf } = await import('/volumes.js');
       const { identity } = await import('/vectors.js');
       const outline = outlineOf(studio.checked.ifs[0].graph.sets[0], identity, studio.camera).map(p => studio.handles.toScreen(studio.camera, p));
-      const xs = outline.map(p => p.x);
+      const xs = outline.map(p => p.x), ys = outline.map(p => p.y);
       const { pixels } = studio.live.last, ratio = pixels.width / document.getElementById('handles').clientWidth;
-      let [left, right] = [1e9, -1e9];
+      let [left, right, top, bottom] = [1e9, -1e9, 1e9, -1e9];
       for (let i = 0; i < pixels.width * pixels.height; ++i)
-        if (pixels.data[4 * i] !== pixels.data[0]) { left = Math.min(left, i % pixels.width); right = Math.max(right, i % pixels.width); }
-      return { ball: [Math.min(...xs) * ratio, Math.max(...xs) * ratio], seen: [left, right] };
+        if (pixels.data[4 * i] !== pixels.data[0]) { const [x, y] = [i % pixels.width, Math.floor(i / pixels.width)]; left = Math.min(left, x); right = Math.max(right, x); top = Math.min(top, y); bottom = Math.max(bottom, y); }
+      // The corner at the top is on the ball and on the picture's edge: it has to be drawn where it is seen.
+      const tip = studio.handles.toScreen(studio.camera, [0, 1, 0]);
+      return { ball: [Math.min(...xs) * ratio, Math.max(...xs) * ratio, Math.min(...ys) * ratio, Math.max(...ys) * ratio], seen: [left, right, top, bottom], tip: tip.y * ratio };
     });
-    assert.ok(inside.ball[0] <= inside.seen[0] + 1 && inside.seen[1] <= inside.ball[1] + 1, JSON.stringify(inside));
+    assert.ok([0, 2].every(k => inside.ball[k] <= inside.seen[k] + 1 && inside.seen[k + 1] <= inside.ball[k + 1] + 1), JSON.stringify(inside));
+    assert.ok(Math.abs(inside.tip - inside.seen[2]) < 4, `handles stand where the picture is: ${JSON.stringify(inside)}`);
     assert.ok(inside.ball[1] - inside.ball[0] < 2 * (inside.seen[1] - inside.seen[0]), 'and not far round it');
     return opened;
   },

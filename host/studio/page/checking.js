@@ -30,7 +30,7 @@ export class Checking {
       this.wanted = false;
       const text = studio.text;
       try {
-        const checked = await this.answerOf({ name: studio.name, text, frame: studio.frame });
+        const checked = await this.answerOf({ name: studio.name, text, frame: studio.frame, ...studio.live.size });
         if (checked) this.accept(text, checked);
       } catch (error) {
         if (text === studio.text) this.showMistakes(error);

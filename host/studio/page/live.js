@@ -25,19 +25,20 @@ export class Live {
     this.last = null;  // the picture that is shown whole
   }
 
-  /// The canvas in device pixels, as many as the program gives.
+  /// The canvas in device pixels, as many as the program gives. Whether it is of another size now.
   fit(most) {
     const box = this.canvas.parentElement.getBoundingClientRect();
     const ratio = Math.min(devicePixelRatio || 1, 2);
     const wanted = [box.width * ratio, box.height * ratio].map(x => Math.max(16, Math.round(x)));
     const shrink = Math.min(1, most.side / Math.max(...wanted), Math.sqrt(most.pixels / (wanted[0] * wanted[1])));
     const [columns, rows] = wanted.map(x => Math.max(16, Math.floor(x * shrink)));
-    if (columns === this.canvas.width && rows === this.canvas.height) return;
+    if (columns === this.canvas.width && rows === this.canvas.height) return false;
     const old = this.canvas.width > 1 && this.last ? createCopy(this.canvas) : null;
     this.canvas.width = columns;
     this.canvas.height = rows;
     if (old) this.context.drawImage(old, 0, 0, columns, rows);
     this.change();
+    return true;
   }
 
   /// Nothing of another scene stays.

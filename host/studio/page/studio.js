@@ -260,7 +260,7 @@ class Studio {
 
   resized() {
     if (byId('studio').hidden) return;
-    this.live.fit(this.facts.limits);
+    if (this.live.fit(this.facts.limits) && this.base) this.checking.check();  // the scene's own view is another
     this.handles.draw();
   }
 

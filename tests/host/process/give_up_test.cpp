@@ -33,7 +33,8 @@ TEST(GiveUp, nothing_is_given_up_that_nobody_may_give_up) {
     EXPECT_NO_THROW(give_up_if_asked());
 }
 
-/// Maps that turn and squash, each followed by five others: seconds to bound.
+/// Maps that turn and squash, each followed by five others: seconds to bound. Sevenths of a number
+/// that 7 does not divide are all different.
 std::string scene_of(int maps) {
     std::string text = "ifs many {\n";
     for (int i = 0; i < maps; ++i) {
@@ -54,8 +55,8 @@ TEST(GiveUp, the_preparation_of_a_scene_ends_soon_after_it_is_given_up) {
     using Clock = std::chrono::steady_clock;
     RenderRequest request;
     request.scene_path = "many.pxm";
-    request.scene_text = scene_of(700);
-    for (const int after_ms : {5, 60, 250, 600}) {
+    request.scene_text = scene_of(1100);
+    for (const int after_ms : {5, 100, 400, 900}) {
         std::atomic<bool> stop = false;
         Clock::time_point asked;
         std::thread watch([&] {
