@@ -132,6 +132,12 @@ class LoadedMachine : public LoadedScene {
     }
 
   private:
+    /// Now and then.
+    static void tell_progress(const RunControl& control, std::size_t done, std::size_t all) {
+        if (control.progress && done % 256 == 0)
+            control.progress(static_cast<double>(done) / static_cast<double>(all));
+    }
+
     /// Renders the pixels of the nodes that are wanted, and gives each node to `work.take`, if
     /// there is one, when it is done.
     EngineResult run_nodes(const CropWindow& window, const UnitWork& work,
@@ -178,11 +184,7 @@ class LoadedMachine : public LoadedScene {
                     record.cycles = now - cycles_before;
                     cycles_before = now;
                     if (watch != nullptr) watch->tell(index, now);
-                    const std::size_t finished = ++done;
-                    if (control.progress && finished % 256 == 0) {
-                        control.progress(static_cast<double>(finished) /
-                                         static_cast<double>(wanted.pixels));
-                    }
+                    tell_progress(control, ++done, wanted.pixels);
                     if (control.stop && *control.stop) stopped = true;
                     return !stopped && !node.halted();
                 });

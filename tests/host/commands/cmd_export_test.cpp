@@ -178,7 +178,7 @@ TEST_F(Export, usd_has_an_instancer_or_a_prim_a_cell) {
 
 TEST_F(Export, a_recurrent_system_has_the_words_that_may_follow) {
     EXPECT_THAT(write("recurrent.pxm", "a.ply", {"--levels", "4", "--shape", "box"}),
-                HasSubstr("48 cells"));  // 3 first maps, 2 after each
+                HasSubstr("24 cells"));  // 3 first maps, 2 after each
     EXPECT_THAT(write("recurrent.pxm", "b.ply", {"--levels", "0", "--shape", "box"}),
                 HasSubstr("1 cells"));
 }
@@ -266,7 +266,7 @@ TEST_F(Export, what_a_format_cannot_hold_is_refused_before_anything_is_written) 
                           {"--levels says nothing to aifs"});
     expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a.flame"}, 3,
                           {"object \"sponge\" is not of the plane z = 0"});
-    expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a.ply", "--levels", "60"}, 2,
+    expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a.obj", "--levels", "60"}, 2,
                           {"object \"sponge\" has more than 1000000000 cells"});
     expect_refusal_naming(folder, {"export", "none.pxm", "-o", "a.ply", "--levels", "2"}, 4, {});
     expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "no/a.ply", "--levels", "2"}, 4,
@@ -280,9 +280,9 @@ TEST_F(Export, nothing_that_is_read_is_written_over) {
     std::filesystem::create_hard_link(folder.path("menger.pxm"), folder.path("link.bin"));
     std::filesystem::create_hard_link(folder.path("menger.pxm"), folder.path("link.ply"));
     expect_refusal(folder, {"export", "menger.pxm", "-o", "link.ply", "--levels", "1"}, 2,
-                   "pxm: link.ply would be written over the scene\n");
+                   "link.ply would be written over the scene");
     expect_refusal(folder, {"export", "menger.pxm", "-o", "link.gltf", "--levels", "1"}, 2,
-                   "pxm: link.bin would be written over the scene\n");
+                   "link.bin would be written over the scene");
     folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     expect_refusal_naming(
         folder, {"export", "menger.pxm", "-o", "t.obj", "--levels", "1", "--shape", "t.obj"}, 2,
@@ -306,7 +306,8 @@ TEST_F(Export, a_device_is_written_through) {
 /// Pictures of both scenes, byte by byte.
 void expect_same_picture(Folder& folder, const std::string& a, const std::string& b) {
     for (const auto& [scene, out] : {std::pair{a, "a.png"}, std::pair{b, "b.png"}})
-        (void)expect_done(folder, {"render", scene, "-o", out, "--size", "80x60", "--quiet"});
+        (void)expect_done(folder,
+                          {"render", scene, "-o", out, "--size", "80x60", "--quiet", "--no-scene"});
     EXPECT_EQ(folder.read("a.png").size(), folder.read("b.png").size()) << a;
     EXPECT_TRUE(folder.read("a.png") == folder.read("b.png")) << a;
 }
