@@ -55,7 +55,7 @@ TEST(GiveUp, the_preparation_of_a_scene_ends_soon_after_it_is_given_up) {
     using Clock = std::chrono::steady_clock;
     RenderRequest request;
     request.scene_path = "many.pxm";
-    request.scene_text = scene_of(1100);
+    request.scene_text = scene_of(1501);
     const Clock::time_point begun = Clock::now();
     (void)compiled_scene_of(request);
     const auto whole = std::chrono::duration<double>(Clock::now() - begun);
