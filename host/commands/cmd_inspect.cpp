@@ -62,6 +62,11 @@ void put(const std::string& text, const std::string& out) {
     }
 }
 
+/// Whether a system's maps may have other numbers than the text says.
+bool sets_numbers(const Setting& setting) {
+    return setting.key.find('.') == std::string::npos || setting.key.starts_with("ifs.");
+}
+
 /// `--neighbours` makes a folder of the place that `-o` names.
 bool writes_graphs(const InspectArguments& arguments) {
     return arguments.neighbours && !arguments.json && !arguments.out.empty();
@@ -96,8 +101,9 @@ ExitCode inspect_scene(const InspectArguments& arguments) {
         put(attractor_point(scene, arguments.point) + "\n", arguments.out);
         return ExitCode::done;
     }
-    const Inspection found =
-        inspect(scene, arguments.scene, diagnostics, limits_of(arguments.neighbours));
+    NeighbourLimits limits = limits_of(arguments.neighbours);
+    limits.as_written = std::ranges::none_of(settings, sets_numbers);
+    const Inspection found = inspect(scene, arguments.scene, diagnostics, limits);
     diagnostics.throw_if_errors(scene.files);
     const std::string warnings = diagnostics.warnings_text(scene.files);
     if (!warnings.empty()) tell(warnings + "\n");

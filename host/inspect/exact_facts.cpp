@@ -34,6 +34,7 @@ void add_exact_facts(const IfsBlock& block, const Scene* scene, const Rifs& part
     facts.exact_names = part.map_names;
     const Scene none = scene_without_text();
     try {
+        if (!limits.as_written) throw exact::NotExact{"numbers were set from outside"};
         facts.exact =
             find_exactly(written_part(scene != nullptr ? *scene : none, block, facts.rifs, part),
                          part, bounds, limits);

@@ -101,6 +101,9 @@ std::vector<NeighbourFile> neighbour_files(const Inspection& inspection) {
         const std::string& name = ifs.rifs.name;
         files.push_back({name + ".json", neighbour_graph_json(ifs)});
         files.push_back({name + ".dot", neighbour_graph_dot(ifs)});
+        // Follow sets are numbered in the part that is reached.
+        if (ifs.exact_names == ifs.rifs.map_names)
+            files.push_back({name + ".html", neighbour_page(ifs)});
         std::string scene = boundary_scene(ifs);
         if (!scene.empty()) files.push_back({name + "-boundary.pxm", std::move(scene)});
     }

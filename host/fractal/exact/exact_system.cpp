@@ -309,7 +309,7 @@ bool all_rational(const std::vector<Written>& maps) {
 }  // namespace
 
 ExactSystem exact_system(WrittenMaps written, const Rifs& rifs) {
-    constexpr double same = 1e-9;  // what rounding explains by far
+    constexpr double same = 1e-12;  // what rounding explains by far
     ExactSystem system;
     const std::vector<Written> maps = lifted(written);
     system.numbers = std::move(written.field);

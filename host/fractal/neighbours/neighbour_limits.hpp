@@ -1,4 +1,4 @@
-// How far the search for neighbours goes.
+// How far the search for neighbours goes, and whether it may begin.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@ namespace pxm::host {
 struct NeighbourLimits {
     std::size_t types = 10'000;
     std::size_t steps = 10'000'000;  // pairs of cells compared; more for one in exact numbers
+    bool as_written = true;  // false: numbers of the scene's text were replaced from outside
 };
 
 }  // namespace pxm::host

@@ -100,7 +100,7 @@ TEST(ExactFacts, the_boundary_of_a_tile_is_a_scene_of_that_dimension) {
     ASSERT_TRUE(boundary.ifs.front().dimensions.similarity);
     EXPECT_NEAR(boundary.ifs.front().dimensions.similarity->middle(),
                 *dragon.ifs.front().exact.boundary.value, 1e-9);
-    EXPECT_EQ(host::neighbour_files(dragon).size(), 3U);
+    EXPECT_EQ(host::neighbour_files(dragon).size(), 4U);
 }
 
 }  // namespace
