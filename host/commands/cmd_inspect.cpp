@@ -10,7 +10,11 @@
 #include "host/inspect/inspect_json.hpp"
 #include "host/inspect/inspect_text.hpp"
 #include "host/inspect/inspection.hpp"
+#include "host/inspect/render_needs.hpp"
 #include "host/output/spared_inputs.hpp"
+#include "host/process/granted_threads.hpp"
+#include "host/process/interrupt.hpp"
+#include "host/process/limits.hpp"
 #include "host/process/terminal.hpp"
 #include "host/scene/check/check.hpp"
 #include "host/scene/check/settings.hpp"
@@ -25,6 +29,9 @@ struct InspectArguments {
     std::string out;
     std::vector<std::string> set;
     bool json = false;
+    bool needs = false;
+    int threads = 0;  // 0: those granted
+    LimitArguments limits;
     std::vector<std::string> point;
 };
 
@@ -34,6 +41,22 @@ void put(const std::string& text, const std::string& out) {
     } else {
         write_text_safely(out, text);
     }
+}
+
+ExitCode tell_needs(const InspectArguments& arguments) {
+    RenderRequest request;
+    request.scene_path = arguments.scene;
+    request.settings = parse_settings(arguments.set);
+    request.allowed = arguments.allowed;
+    request.threads = choose_threads(arguments.threads).threads;
+    if (!arguments.out.empty()) {
+        require_writable(arguments.out);
+        request.outputs = {arguments.out};
+    }
+    const auto needs = render_needs(request, stop_requested());
+    if (!needs) return exit_code_of_stop("nothing is known yet");
+    put(arguments.json ? render_needs_json(*needs) : render_needs_text(*needs), arguments.out);
+    return ExitCode::done;
 }
 
 ExitCode inspect_scene(const InspectArguments& arguments) {
@@ -69,13 +92,19 @@ AddedCommand add_inspect_command(CommandLine& line) {
                     "Print the attractor's point whose address repeats these maps")
         .delimiter(',')
         .one_value();
+    command.add_flag("--needs", a->needs,
+                     "Say how many seconds and bytes a native render will take, by a trial of some "
+                     "of its pixels");
+    add_threads_option(command, a->threads);
+    add_limit_options(command, a->limits);
     add_set_option(command, a->set);
     command.add_option("-o,--out", a->out, "Write to this file; default: the standard output")
         .check(some_text());
     add_allow_option(command, a->allowed);
     return {command, [a] {
                 find_scene_by_name(a->scene, a->allowed);
-                return inspect_scene(*a);
+                const LimitWatch watch(a->limits.limits());
+                return a->needs ? tell_needs(*a) : inspect_scene(*a);
             }};
 }
 

@@ -22,6 +22,7 @@
 #include "host/process/in_order.hpp"
 #include "host/process/in_threads.hpp"
 #include "host/process/interrupt.hpp"
+#include "host/process/limits.hpp"
 #include "host/process/progress.hpp"
 #include "host/process/terminal.hpp"
 #include "host/scene/check/check.hpp"
@@ -44,6 +45,7 @@ struct PointsArguments {
     std::string keep;
     int threads = 0;  // 0: those granted
     bool quiet = false;
+    LimitArguments limits;
 };
 
 /// An object with the game that draws it.
@@ -237,7 +239,9 @@ ExitCode run_points(const PointsArguments& arguments) {
             keep_points(cloud, header, heading, threads, arguments);
         }
     } catch (const Stopped&) {
-        return exit_code_of_signal(received_signal());
+        return exit_code_of_stop(arguments.keep.empty() ? "no points were written"
+                                                        : "what is drawn is kept; the same "
+                                                          "command goes on from there");
     }
     return ExitCode::done;
 }
@@ -262,11 +266,13 @@ AddedCommand add_points_command(CommandLine& line) {
         "--keep", a->keep,
         "Put what is drawn into this folder now and then; run again, go on from there");
     add_threads_option(command, a->threads);
+    add_limit_options(command, a->limits);
     add_set_option(command, a->set);
     add_allow_option(command, a->allowed);
     command.add_flag("--quiet", a->quiet, "No progress bar");
     return {command, [a] {
                 find_scene_by_name(a->scene, a->allowed);
+                const LimitWatch watch(a->limits.limits());
                 return run_points(*a);
             }};
 }

@@ -19,8 +19,10 @@
 #include "host/output/image.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/output/statistics_json.hpp"
+#include "host/output/taken_windows.hpp"
 #include "host/process/granted_threads.hpp"
 #include "host/process/interrupt.hpp"
+#include "host/process/limits.hpp"
 #include "host/process/phase_clock.hpp"
 #include "host/process/progress.hpp"
 #include "host/process/terminal.hpp"
@@ -53,6 +55,7 @@ struct RenderArguments {
     double zoom = 1;
     std::string frames, format;
     bool quiet = false;
+    LimitArguments limits;
 };
 
 SceneOverrides overrides_of(const RenderArguments& a) {
@@ -152,8 +155,20 @@ class PictureToFile : public PictureTaker {
         writer_.emplace(path_, known.window, aovs_,
                         metadata_of(known.statistics, arguments_, known));
     }
-    void take(const Frame& part) override { writer_->append(part); }
+    void take(const Frame& part) override {
+        writer_->append(part);
+        taken_.add(part.crop);
+    }
     void finish() { writer_->finish(); }
+    /// Ends a picture that was given up: what was not taken is black. False if nothing was.
+    bool finish_partial(const RenderResult& result) {
+        if (!writer_ || taken_.pixels() == 0 || result.statistics.rays.pixels == 0) return false;
+        taken_.fill(result.statistics.size, result.window,
+                    [&](const Frame& black) { writer_->append(black); });
+        writer_->finish();
+        return true;
+    }
+    [[nodiscard]] long taken_pixels() const { return taken_.pixels(); }
     /// Leaves what was not told yet.
     void take_told(std::string& warnings) const {
         if (warnings.starts_with(told_)) warnings.erase(0, told_.size());
@@ -166,6 +181,7 @@ class PictureToFile : public PictureTaker {
     Warnings warnings_;
     std::string told_;
     std::optional<ImageWriter> writer_;
+    TakenWindows taken_;
 };
 
 ExitCode explain(const RenderArguments& arguments) {
@@ -197,15 +213,28 @@ PartsRequest parts_request_of(const RenderArguments& arguments) {
     return parts;
 }
 
-/// Renders one picture into its file; nothing is written if it was stopped.
+std::string partial_text(const std::string& out, const RenderResult& result, long taken) {
+    const CropWindow& window = result.window;
+    const long all = (window.x1 - window.x0) * (window.y1 - window.y0);
+    const long known = std::min(taken, static_cast<long>(result.statistics.rays.pixels));
+    return fmt::format("{} of {} pixels of {} are black", all - known, all, printable_path(out));
+}
+
+/// Renders one picture into its file. Nothing is written of one that was stopped, unless a limit
+/// did so and there is a `partial`, which then says what is missing.
 RenderResult write_picture(const RenderArguments& arguments, const RenderRequest& request,
-                           const std::string& out, const RunControl& control, Warnings warnings) {
+                           const std::string& out, const RunControl& control, Warnings warnings,
+                           std::string* partial = nullptr) {
     PhaseClock clock;
     const std::vector<Aov> aovs = aovs_of(arguments);
     PictureToFile picture(arguments, out, aovs, warnings);
     RenderResult result = render(request, control, &picture);
     picture.take_told(result.warnings);
-    if (result.stopped) return result;
+    if (result.stopped) {
+        if (partial && take_over_from_limit() && picture.finish_partial(result))
+            *partial = partial_text(out, result, picture.taken_pixels());
+        return result;
+    }
     PhaseClock write_clock;
     picture.finish();
     PhaseSeconds& phases = result.statistics.seconds;
@@ -228,18 +257,20 @@ ExitCode render_picture(const RenderArguments& arguments) {
     require_image_format(out, aovs_of(arguments));
     request.outputs = outputs_of(arguments, out);
     RenderResult result;
+    std::string partial;
     {
         Progress progress(arguments.quiet);
         RunControl control;
         control.stop = &stop_requested();
         if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
-        result = write_picture(arguments, request, out, control, Warnings::before);
+        result = write_picture(arguments, request, out, control, Warnings::before, &partial);
     }
-    if (result.stopped) return exit_code_of_signal(received_signal());
+    if (result.stopped && partial.empty()) return exit_code_of_stop("no picture was written");
     tell(result.warnings);
     if (!arguments.stats.empty()) {
         write_text_safely(arguments.stats, statistics_json(result.statistics));
     }
+    if (result.stopped) return exit_code_of_stop(partial);
     if (!arguments.quiet) tell_summary(out, result);
     return ExitCode::done;
 }
@@ -341,6 +372,7 @@ AddedCommand add_render_command(CommandLine& line) {
                     "Put what is done into this folder now and then; run again, go on from there")
         .excludes(part)
         .excludes(claim);
+    add_limit_options(command, a->limits);
     add_set_option(command, a->set);
     command.add_option("--size", a->size, "WxH in pixels");
     command.add_option("--crop", a->crop, "x0,y0,x1,y1: only this window, half open");
@@ -372,6 +404,7 @@ AddedCommand add_render_command(CommandLine& line) {
     command.check_all(some_text());
     return {command, [a] {
                 find_scene_by_name(a->scene, a->allowed);
+                const LimitWatch watch(a->limits.limits());
                 return render_command(*a);
             }};
 }
