@@ -20,7 +20,11 @@
 #include "host/inspect/inspect_text.hpp"
 #include "host/inspect/inspection.hpp"
 #include "host/inspect/neighbour_files.hpp"
+#include "host/inspect/render_needs.hpp"
 #include "host/output/spared_inputs.hpp"
+#include "host/process/granted_threads.hpp"
+#include "host/process/interrupt.hpp"
+#include "host/process/limits.hpp"
 #include "host/process/terminal.hpp"
 #include "host/scene/carried/carried_scene.hpp"
 #include "host/scene/check/check.hpp"
@@ -38,6 +42,9 @@ struct InspectArguments {
     std::vector<std::string> set;
     bool json = false;
     bool scene_alone = false;
+    bool needs = false;
+    int threads = 0;  // 0: those granted
+    LimitArguments limits;
     std::vector<std::string> point;
     std::optional<long> neighbours;
 };
@@ -87,6 +94,22 @@ void write_graphs(const Inspection& found, const std::string& folder) {
         write_text_safely((std::filesystem::path(folder) / file.name).string(), file.text);
         put_result(file.name + "\n");
     }
+}
+
+ExitCode tell_needs(const InspectArguments& arguments) {
+    RenderRequest request;
+    request.scene_path = arguments.scene;
+    request.settings = parse_settings(arguments.set);
+    request.allowed = arguments.allowed;
+    request.threads = choose_threads(arguments.threads).threads;
+    if (!arguments.out.empty()) {
+        require_writable(arguments.out);
+        request.outputs = {arguments.out};
+    }
+    const auto needs = render_needs(request, stop_requested());
+    if (!needs) return exit_code_of_stop("nothing is known yet");
+    put(arguments.json ? render_needs_json(*needs) : render_needs_text(*needs), arguments.out);
+    return ExitCode::done;
 }
 
 ExitCode inspect_scene(const InspectArguments& arguments) {
@@ -161,6 +184,11 @@ AddedCommand add_inspect_command(CommandLine& line) {
                     "Look for up to so many types of neighbours in exact numbers; default: 10000")
         .may_lack_value("10000")
         .transform(whole_number(1, most_types));
+    command.add_flag("--needs", a->needs,
+                     "Say how many seconds and bytes a native render will take, by a trial of some "
+                     "of its pixels");
+    add_threads_option(command, a->threads);
+    add_limit_options(command, a->limits);
     add_set_option(command, a->set);
     command.add_option("-o,--out", a->out, "Write to this file; default: the standard output")
         .check(some_text());
@@ -169,7 +197,8 @@ AddedCommand add_inspect_command(CommandLine& line) {
                 find_scene_by_name(a->scene, a->allowed);
                 if (a->scene_alone) return print_carried(*a);
                 hold_settings_of_picture(a->scene, a->set);
-                return inspect_scene(*a);
+                const LimitWatch watch(a->limits.limits());
+                return a->needs ? tell_needs(*a) : inspect_scene(*a);
             }};
 }
 

@@ -22,6 +22,7 @@
 #include "host/process/in_order.hpp"
 #include "host/process/in_threads.hpp"
 #include "host/process/interrupt.hpp"
+#include "host/process/limits.hpp"
 #include "host/process/progress.hpp"
 #include "host/process/terminal.hpp"
 #include "host/render/point_games.hpp"
@@ -46,6 +47,7 @@ struct PointsArguments {
     std::string offset;
     int threads = 0;  // 0: those granted
     bool quiet = false;
+    LimitArguments limits;
 };
 
 /// The boxes of the objects, of the first points of each; a copy of its game draws them.
@@ -188,7 +190,9 @@ ExitCode run_points(const PointsArguments& arguments) {
             keep_points(cloud, header, heading, threads, arguments);
         }
     } catch (const Stopped&) {
-        return exit_code_of_signal(received_signal());
+        return exit_code_of_stop(arguments.keep.empty() ? "no points were written"
+                                                        : "what is drawn is kept; the same "
+                                                          "command goes on from there");
     }
     return ExitCode::done;
 }
@@ -219,12 +223,14 @@ AddedCommand add_points_command(CommandLine& line) {
                     "x,y,z that are taken off the coordinates, or auto: the cloud's middle")
         .check(some_text());
     add_threads_option(command, a->threads);
+    add_limit_options(command, a->limits);
     add_set_option(command, a->set);
     add_allow_option(command, a->allowed);
     command.add_flag("--quiet", a->quiet, "No progress bar");
     return {command, [a] {
                 find_scene_by_name(a->scene, a->allowed);
                 hold_settings_of_picture(a->scene, a->set);
+                const LimitWatch watch(a->limits.limits());
                 return run_points(*a);
             }};
 }

@@ -26,8 +26,10 @@
 #include "host/output/image.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/output/statistics_json.hpp"
+#include "host/output/taken_windows.hpp"
 #include "host/process/granted_threads.hpp"
 #include "host/process/interrupt.hpp"
+#include "host/process/limits.hpp"
 #include "host/process/phase_clock.hpp"
 #include "host/process/progress.hpp"
 #include "host/process/terminal.hpp"
@@ -193,8 +195,20 @@ class PictureToFile : public PictureTaker {
         writer_.emplace(path_, known.window, aovs_,
                         metadata_of(arguments_, known, carrier_, frame_), extra_);
     }
-    void take(const Frame& part) override { writer_->append(part); }
+    void take(const Frame& part) override {
+        writer_->append(part);
+        taken_.add(part.crop);
+    }
     void finish() { writer_->finish(); }
+    /// Ends a picture that was given up: what was not taken is black. False if nothing was.
+    bool finish_partial(const RenderResult& result) {
+        if (!writer_ || taken_.pixels() == 0 || result.statistics.rays.pixels == 0) return false;
+        taken_.fill(result.statistics.size, result.window,
+                    [&](const Frame& black) { writer_->append(black); });
+        writer_->finish();
+        return true;
+    }
+    [[nodiscard]] long taken_pixels() const { return taken_.pixels(); }
     /// Leaves what was not told yet.
     void take_told(std::string& warnings) const {
         if (warnings.starts_with(told_)) warnings.erase(0, told_.size());
@@ -210,6 +224,7 @@ class PictureToFile : public PictureTaker {
     const ExtraChannels* extra_;  // or null
     std::string told_;
     std::optional<ImageWriter> writer_;
+    TakenWindows taken_;
 };
 
 ExitCode explain(const RenderArguments& arguments) {
@@ -242,10 +257,18 @@ PartsRequest parts_request_of(const RenderArguments& arguments) {
     return parts;
 }
 
-/// Renders one picture into its file; nothing is written if it was stopped.
+std::string partial_text(const std::string& out, const RenderResult& result, long taken) {
+    const CropWindow& window = result.window;
+    const long all = (window.x1 - window.x0) * (window.y1 - window.y0);
+    const long known = std::min(taken, static_cast<long>(result.statistics.rays.pixels));
+    return fmt::format("{} of {} pixels of {} are black", all - known, all, printable_path(out));
+}
+
+/// Renders one picture into its file. Nothing is written of one that was stopped, unless a limit
+/// did so and there is a `partial`, which then says what is missing.
 RenderResult write_picture(const RenderArguments& arguments, const RenderRequest& request,
                            const std::string& out, const RunControl& control, Warnings warnings,
-                           SceneCarrier& carrier) {
+                           SceneCarrier& carrier, std::string* partial = nullptr) {
     PhaseClock clock;
     const std::vector<Aov> aovs = aovs_of(arguments);
     const std::vector<MatteKind> kinds = parse_mattes(arguments.cryptomatte);
@@ -256,7 +279,11 @@ RenderResult write_picture(const RenderArguments& arguments, const RenderRequest
                           kinds.empty() ? nullptr : &extra);
     RenderResult result = render(request, control, &picture);
     picture.take_told(result.warnings);
-    if (result.stopped) return result;
+    if (result.stopped) {
+        if (partial && take_over_from_limit() && picture.finish_partial(result))
+            *partial = partial_text(out, result, picture.taken_pixels());
+        return result;
+    }
     PhaseClock write_clock;
     picture.finish();
     PhaseSeconds& phases = result.statistics.seconds;
@@ -280,19 +307,22 @@ ExitCode render_picture(const RenderArguments& arguments) {
     require_exr_options(arguments, aovs_of(arguments), out);
     request.outputs = outputs_of(arguments, out);
     RenderResult result;
+    std::string partial;
     {
         Progress progress(arguments.quiet);
         RunControl control;
         control.stop = &stop_requested();
         if (progress.enabled()) control.progress = [&](double share) { progress.update(share); };
         SceneCarrier carrier(arguments);
-        result = write_picture(arguments, request, out, control, Warnings::before, carrier);
+        result =
+            write_picture(arguments, request, out, control, Warnings::before, carrier, &partial);
     }
-    if (result.stopped) return exit_code_of_signal(received_signal());
+    if (result.stopped && partial.empty()) return exit_code_of_stop("no picture was written");
     tell(result.warnings);
     if (!arguments.stats.empty()) {
         write_text_safely(arguments.stats, statistics_json(result.statistics));
     }
+    if (result.stopped) return exit_code_of_stop(partial);
     if (!arguments.quiet) tell_summary(out, result);
     return ExitCode::done;
 }
@@ -418,6 +448,7 @@ AddedCommand add_render_command(CommandLine& line) {
                     "Put what is done into this folder now and then; run again, go on from there")
         .excludes(part)
         .excludes(claim);
+    add_limit_options(command, a->limits);
     add_set_option(command, a->set);
     add_scene_options(command, *a);
     command.add_option("--frames", a->frames,
@@ -440,6 +471,7 @@ AddedCommand add_render_command(CommandLine& line) {
     return {command, [a] {
                 find_scene_by_name(a->scene, a->allowed);
                 hold_options_of_picture(*a);
+                const LimitWatch watch(a->limits.limits());
                 return render_command(*a);
             }};
 }

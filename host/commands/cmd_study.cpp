@@ -9,7 +9,7 @@
 #include "host/commands/option_checks.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/process/granted_threads.hpp"
-#include "host/process/interrupt.hpp"
+#include "host/process/limits.hpp"
 #include "host/render/render_options.hpp"
 #include "host/scene/carried/carried_scene.hpp"
 #include "host/study/study.hpp"
@@ -26,6 +26,7 @@ struct StudyArguments {
     std::string size, machine, numeric;
     int threads = 0;  // 0: those granted
     std::vector<std::string> set;
+    LimitArguments limits;
 };
 
 ExitCode study(const StudyArguments& a) {
@@ -49,7 +50,10 @@ ExitCode study(const StudyArguments& a) {
     request.settings = parse_settings(a.set);
     if (!request.settings.empty() && request.scenes.empty())
         throw Error(ErrorKind::setting, "--set: there is no scene to set anything of");
-    return run_study(request) ? ExitCode::done : exit_code_of_signal(received_signal());
+    return run_study(request)
+               ? ExitCode::done
+               : exit_code_of_stop(
+                     "what was measured is kept; the same command goes on from there");
 }
 
 /// A picture has options of its own, which a study would not mind.
@@ -74,6 +78,7 @@ AddedCommand add_study_command(CommandLine& line) {
     command.add_option("--machine", a->machine, "The model to measure on; default 964dX");
     command.add_option("--numeric", a->numeric, "balance: dsp32, float or double");
     add_threads_option(command, a->threads);
+    add_limit_options(command, a->limits);
     add_set_option(command, a->set);
     command.add_option("--samples", a->request.samples, "shading: points looked at")
         .transform(whole_number(100, 10'000'000));
@@ -95,6 +100,7 @@ AddedCommand add_study_command(CommandLine& line) {
                     find_scene_by_name(scene, a->request.allowed);
                     require_text(scene);
                 }
+                const LimitWatch watch(a->limits.limits());
                 return study(*a);
             }};
 }

@@ -43,6 +43,8 @@ std::vector<ValueName> value_names() {
         {"", "scenes", "SCENE"},
         {"", "--set", "KEY=VALUE"},
         {"", "--allow", "DIR"},
+        {"", "--limit-seconds", "SECONDS"},
+        {"", "--limit-memory", "BYTES"},
         {"", "--size", "WxH"},
         {"", "--machine", model_words()},
         {"", "--numeric", words(numeric_words)},

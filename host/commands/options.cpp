@@ -183,8 +183,10 @@ void CommandLine::name_values(const std::vector<ValueName>& names) {
     for (CLI::App* command : app_->get_subcommands([](CLI::App*) { return true; })) {
         for (const ValueName& name : names) {
             if (!name.command.empty() && name.command != command->get_name()) continue;
-            CLI::Option* option = command->get_option_no_throw(name.option);
-            if (option != nullptr) option->type_name(name.value);
+            // Not by get_option_no_throw(): it is noexcept and copies names, so that a lack of
+            // memory would end the process.
+            for (CLI::Option* option : command->get_options())
+                if (option->check_name(name.option)) option->type_name(name.value);
         }
     }
 }

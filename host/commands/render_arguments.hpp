@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/commands/option_checks.hpp"
+#include "host/commands/shared_options.hpp"
 
 namespace pxm::host {
 
@@ -34,6 +35,7 @@ struct RenderArguments {
     std::string frames, format;
     bool no_scene = false;
     bool quiet = false;
+    LimitArguments limits;
 };
 
 // What their numbers may be.

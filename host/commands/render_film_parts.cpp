@@ -13,6 +13,7 @@
 #include "host/parts/film_parts.hpp"
 #include "host/parts/keep.hpp"
 #include "host/process/interrupt.hpp"
+#include "host/process/limits.hpp"
 #include "host/process/phase_clock.hpp"
 #include "host/process/terminal.hpp"
 #include "host/render/exposure.hpp"
@@ -150,7 +151,7 @@ ExitCode render_part_of_film(const FilmRequest& request, const std::string& part
             return film.make(frame, share);
         });
     });
-    if (!done) return exit_code_of_signal(received_signal());
+    if (!done) return exit_code_of_stop(goes_on);
     if (!request.parts.quiet)
         tell(fmt::format("{} of {} frames in {:.2f} s\n", frames.size(), request.frames.size(),
                          clock.lap()));
@@ -182,7 +183,7 @@ ExitCode render_claimed_film(const FilmRequest& request, const std::string& fold
     if (!request.parts.quiet)
         tell(fmt::format("{} of {} frames made here in {:.2f} s\n", made, names.size(),
                          clock.lap()));
-    return done ? ExitCode::done : exit_code_of_signal(received_signal());
+    return done ? ExitCode::done : exit_code_of_stop(goes_on);
 }
 
 ExitCode render_film_keeping(const FilmRequest& request, const std::string& folder,
@@ -197,7 +198,7 @@ ExitCode render_film_keeping(const FilmRequest& request, const std::string& fold
     });
     if (!done) {
         if (!request.parts.quiet) tell("stopped; the same command goes on from here\n");
-        return exit_code_of_signal(received_signal());
+        return exit_code_of_stop(goes_on);
     }
     join.frames = request.frames;
     return join_film(join);

@@ -13,6 +13,7 @@
 #include "host/output/frame_list.hpp"
 #include "host/output/statistics_json.hpp"
 #include "host/process/interrupt.hpp"
+#include "host/process/limits.hpp"
 #include "host/process/phase_clock.hpp"
 #include "host/process/progress.hpp"
 #include "host/process/terminal.hpp"
@@ -102,7 +103,7 @@ ExitCode render_frames(const FilmJob& job) {
             request.frame = static_cast<double>(frames[i]);
             const RenderResult result =
                 render_named(*target, request, share_of(control, i, frames.size()));
-            if (result.stopped) return exit_code_of_signal(received_signal());
+            if (result.stopped) return exit_code_of_stop("the frames before this one are made");
             if (warnings.empty() && !result.warnings.empty())
                 warnings = fmt::format("frame {}: {}", frames[i], result.warnings);
             if (!job.stats.empty())

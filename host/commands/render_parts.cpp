@@ -20,6 +20,7 @@
 #include "host/parts/part_choice.hpp"
 #include "host/parts/part_run.hpp"
 #include "host/process/interrupt.hpp"
+#include "host/process/limits.hpp"
 #include "host/process/phase_clock.hpp"
 #include "host/process/progress.hpp"
 #include "host/process/terminal.hpp"
@@ -101,7 +102,7 @@ ExitCode render_one_part(const PartsRequest& request, const std::string& part,
     const bool done = with_progress(request.quiet, [&](const RunControl& control) {
         return write_part({*started, heading, control}, wanted, path);
     });
-    if (!done) return exit_code_of_signal(received_signal());
+    if (!done) return exit_code_of_stop("the part was not written");
     if (!request.quiet) {
         tell(fmt::format("{}: {} of {} units in {:.2f} s\n", name, wanted.size(), units,
                          started->result.statistics.seconds.render));
@@ -141,7 +142,7 @@ ExitCode render_claimed(const PartsRequest& request, const std::string& folder,
         tell(fmt::format("{} of {} parts made here in {:.2f} s\n", made, heading.parts,
                          started->result.statistics.seconds.render));
     }
-    return done ? ExitCode::done : exit_code_of_signal(received_signal());
+    return done ? ExitCode::done : exit_code_of_stop(goes_on);
 }
 
 ExitCode render_keeping(const PartsRequest& request, const std::string& folder,
@@ -169,7 +170,7 @@ ExitCode render_keeping(const PartsRequest& request, const std::string& folder,
     }
     if (!picture) {
         if (!request.quiet) tell("stopped; the same command goes on from here\n");
-        return exit_code_of_signal(received_signal());
+        return exit_code_of_stop(goes_on);
     }
     tell(picture->warnings);
     Statistics statistics = picture->statistics;

@@ -38,6 +38,10 @@ void require_no_stats(const PartsRequest& request, const char* option);
 /// As start_render(), of what can be made in parts.
 [[nodiscard]] std::unique_ptr<StartedRender> start_parts(const RenderRequest& request);
 
+/// What becomes of a run that a limit ends.
+inline constexpr const char* goes_on =
+    "what is done is in the folder; the same command goes on from there";
+
 /// Runs `work(control)` with a bar of its progress; stopped by signals.
 template <class Work>
 auto with_progress(bool quiet, const Work& work) {

@@ -1,5 +1,6 @@
 #include "host/commands/shared_options.hpp"
 
+#include <limits>
 #include <optional>
 
 #include "host/commands/option_checks.hpp"
@@ -30,6 +31,18 @@ void add_allow_option(CommandOptions& command, std::vector<std::string>& folders
                     "their own folder only. May be given again")
         .one_value()  // what follows DIR is another argument
         .check(some_text());
+}
+
+void add_limit_options(CommandOptions& command, LimitArguments& limits) {
+    command
+        .add_option("--limit-seconds", limits.seconds,
+                    "End the run after so long, with what is done so far")
+        .transform(positive_number());
+    command
+        .add_option("--limit-memory", limits.memory_bytes,
+                    "End the run when it holds more bytes; default: 3/4 of the memory that the "
+                    "process may use")
+        .transform(whole_number(1, std::numeric_limits<long>::max()));
 }
 
 void find_scene_by_name(std::string& scene, std::vector<std::string>& folders) {

@@ -108,7 +108,8 @@ class LoadedMachine : public LoadedScene {
         std::vector<std::size_t> all(units.size());
         std::iota(all.begin(), all.end(), std::size_t{0});
         EngineResult result = run_nodes(window, {units, all, nullptr}, control);
-        if (!taker || result.stopped) return result;
+        if (!taker) return result;
+        // Of a run that was stopped, too: what the nodes have by then is a partial picture.
         PhaseClock clock;
         taker->take(result.frame);
         result.frame = {};

@@ -31,7 +31,12 @@ bool has_no_sync(int error) { return error == EINVAL || error == ENOSYS || error
 
 CheckedFile::CheckedFile(int descriptor, std::string name, Places places)
     : descriptor_(descriptor), name_(std::move(name)), places_(places) {
-    collected_.reserve(collected_bytes);
+    try {
+        collected_.reserve(collected_bytes);
+    } catch (...) {
+        close(descriptor_);
+        throw;
+    }
 }
 
 CheckedFile::~CheckedFile() { close(descriptor_); }

@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "host/files/folder_names.hpp"
+
 namespace pxm::host {
 
 namespace fs = std::filesystem;
@@ -98,10 +100,8 @@ NewPart make_part(const std::string& folder, const std::string& extension, mode_
 
 void remove_left_parts(const std::string& folder) {
     std::error_code error;
-    const auto none = fs::directory_iterator();
-    for (auto at = fs::directory_iterator(folder, error); !error && at != none;
-         at.increment(error)) {
-        if (is_part_name(at->path().filename().string())) remove_if_left(at->path().string());
+    for (const std::string& name : names_in(folder, error)) {
+        if (is_part_name(name)) remove_if_left((fs::path(folder) / name).string());
     }
 }
 

@@ -13,7 +13,9 @@ namespace pxm::host {
 
 RegularFile::RegularFile(const std::string& place, const std::string& path) : path_(path) {
     // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
-    descriptor_ = ::open(place.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    do {
+        descriptor_ = ::open(place.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    } while (descriptor_ < 0 && errno == EINTR);
     if (descriptor_ < 0)
         refuse(errno == ENOENT || errno == ENOTDIR ? "no such file" : "cannot be opened");
     struct stat status {};

@@ -54,12 +54,18 @@ void PartFile::make(LeftParts left) {
     constexpr mode_t own = 0600, by_umask = 0666;
     const std::string folder = destination_.is_file ? destination_.folder() : temporary_folder();
     if (left == LeftParts::remove) remove_left_parts(folder);
-    const NewPart part = make_part(folder, fs::path(destination_.named).extension().string(),
-                                   destination_.is_file && !destination_.existing ? by_umask : own);
+    NewPart part = make_part(folder, fs::path(destination_.named).extension().string(),
+                             destination_.is_file && !destination_.existing ? by_umask : own);
     if (!part.error.empty()) cannot_write(destination_.named, part.error);
-    beside_ = part.path;
-    guard_.emplace(beside_);
-    file_ = std::make_unique<CheckedFile>(part.descriptor, destination_.named, Places::any);
+    beside_.swap(part.path);
+    // What is thrown from here on is thrown by a constructor, after which no destructor runs.
+    try {
+        guard_.emplace(beside_);
+        file_ = std::make_unique<CheckedFile>(part.descriptor, destination_.named, Places::any);
+    } catch (...) {
+        unlink(beside_.c_str());
+        throw;
+    }
 }
 
 PartFile::~PartFile() {

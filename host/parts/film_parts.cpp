@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "host/error.hpp"
+#include "host/files/folder_names.hpp"
 #include "host/output/frame_list.hpp"
 #include "host/text/printable.hpp"
 
@@ -23,12 +24,10 @@ constexpr const char* frame_beginning = "frame-";
 std::vector<std::string> frame_folders(const std::string& folder) {
     std::error_code error;
     std::vector<std::string> folders;
-    const auto end = fs::directory_iterator();
-    for (auto at = fs::directory_iterator(folder, error); !error && at != end;
-         at.increment(error)) {
-        const std::string name = at->path().filename().string();
-        if (name.starts_with(frame_beginning) && at->is_directory(error))
-            folders.push_back((fs::path(folder) / name).string());
+    for (const std::string& name : names_in(folder, error)) {
+        const fs::path path = fs::path(folder) / name;
+        if (name.starts_with(frame_beginning) && fs::is_directory(path, error))
+            folders.push_back(path.string());
     }
     std::ranges::sort(folders);
     return folders;

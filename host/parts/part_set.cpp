@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "host/error.hpp"
+#include "host/files/folder_names.hpp"
 #include "host/text/printable.hpp"
 
 namespace pxm::host {
@@ -24,10 +25,7 @@ namespace {
 std::vector<std::string> part_paths(const std::string& folder) {
     std::error_code error;
     std::vector<std::string> paths;
-    const auto end = fs::directory_iterator();
-    for (auto at = fs::directory_iterator(folder, error); !error && at != end;
-         at.increment(error)) {
-        const std::string name = at->path().filename().string();
+    for (const std::string& name : names_in(folder, error)) {
         if (!name.starts_with('.') && name.ends_with(part_ending))
             paths.push_back((fs::path(folder) / name).string());
     }

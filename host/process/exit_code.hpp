@@ -13,7 +13,7 @@ enum class ExitCode : int {
     file = 4,
     machine_limit = 5,
     over_tolerance = 6,
-    parts_missing = 7,
+    parts_missing = 7,  // also of a run that a limit ended
 };
 
 [[nodiscard]] constexpr ExitCode exit_code_of(ErrorKind kind) {

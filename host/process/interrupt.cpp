@@ -4,6 +4,7 @@
 
 #include <climits>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 
@@ -33,13 +34,14 @@ bool part_exists() {
     return false;
 }
 
-/// Only what POSIX allows in a signal handler.
-[[noreturn]] void end_now() {
+void remove_parts() {
     for (const Part& part : parts) {
         if (part.complete) unlink(part.path);
     }
-    _exit(128 + received);  // as shells have it
 }
+
+/// As shells have it.
+[[noreturn]] void end_now() { end_at_once(128 + received); }
 
 void on_signal(int signal) {
     const bool second = received.exchange(signal) != 0;
@@ -79,11 +81,21 @@ void catch_signals() {
     if (!is_ignored(SIGHUP)) handle(SIGHUP, on_signal);
     handle(SIGPIPE, SIG_IGN);
     handle(SIGXFSZ, SIG_IGN);
+    // A library may end the process: libgomp does where it cannot start a thread.
+    (void)std::atexit(remove_parts);
 }
 
 const std::atomic<bool>& stop_requested() { return stop; }
 
 int received_signal() { return received; }
+
+void request_stop() { stop = true; }
+
+/// Only what POSIX allows in a signal handler.
+void end_at_once(int exit_code) {
+    remove_parts();
+    _exit(exit_code);
+}
 
 PartFileGuard::PartFileGuard(const std::string& path) {
     if (path.size() >= sizeof parts[0].path) return;

@@ -15,11 +15,17 @@ namespace pxm::host {
 /// and says so.
 void catch_signals();
 
-/// Set once a signal came.
+/// Set once a signal came, or a limit was reached (host/process/limits.hpp).
 [[nodiscard]] const std::atomic<bool>& stop_requested();
 
 /// The number of the signal that came; 0: none.
 [[nodiscard]] int received_signal();
+
+/// Sets stop_requested() as a signal does.
+void request_stop();
+
+/// Ends the process with that exit code, without the beginnings of files.
+[[noreturn]] void end_at_once(int exit_code);
 
 /// While it lives, a signal removes that file. So many at a time; one more, or one with a path too
 /// long for the system's calls, is not guarded.
