@@ -1,6 +1,7 @@
 // `pxm export SCENE -o OUT`: cells as instances or geometry for other programs, or the systems.
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>

@@ -57,7 +57,9 @@ std::string block_text(const SystemOfObject& system, const Scene& scene) {
     std::vector<Affine> maps = system.rifs.maps;
     if (!(system.place == Affine{}))
         for (Affine& map : maps) map = then(then(inverse(system.place), map), system.place);
-    const bool plane = std::ranges::all_of(maps, is_plane_map);
+    // What is of two dimensions is seen from the front when it comes back.
+    const bool plane = faces_plane(scene.camera.value_or(CameraBlock{})) &&
+                       std::ranges::all_of(maps, is_plane_map);
     std::string text = fmt::format("@\n$dim={}\n$n={}\n$root=S{}\n", plane ? 2 : 3,
                                    system.object.name, system.rifs.start + 1);
     if (!plane) text += camera_text(scene);

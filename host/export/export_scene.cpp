@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "host/compile/lifted_fractal.hpp"
 #include "host/compile/method.hpp"

@@ -56,7 +56,7 @@ class FlameText {
         const PixelSize size = scene_.image.value_or(ImageBlock{}).size.value_or(PixelSize{});
         const auto columns = static_cast<double>(size.columns);
         double x = 0, y = 0, width = 4;
-        if (is_flat(camera)) {
+        if (faces_plane(camera)) {
             x = (*camera.look)[0].value;
             y = (*camera.look)[1].value;
             width = *camera.orthographic;
@@ -70,15 +70,6 @@ class FlameText {
                        "scale=\"{}\" brightness=\"4\" gamma=\"4\" background=\"0 0 0\">\n",
                        system_.object.name, PXM_VERSION, size.columns, size.rows, x, -y + 0.0,
                        scale_for(columns, width));
-    }
-
-    static bool is_flat(const CameraBlock& camera) {
-        if (!camera.orthographic || !camera.eye || !camera.look || camera.zoom) return false;
-        const DecimalVec3& eye = *camera.eye;
-        const DecimalVec3& look = *camera.look;
-        const glm::dvec3 up = camera.up.value_or(glm::dvec3{0, 1, 0});
-        return eye[0].value == look[0].value && eye[1].value == look[1].value &&
-               eye[2].value < look[2].value && up.x == 0 && up.z == 0 && up.y > 0;
     }
 
     /// A place on the palette for every colour.

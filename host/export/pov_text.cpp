@@ -8,8 +8,11 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "dsp_kernels/scene_block.hpp"
 #include "host/error.hpp"
 #include "host/export/writers.hpp"
 #include "host/text/printable.hpp"

@@ -41,4 +41,13 @@ bool is_of_plane(const Affine& map) {
     return m[0][2] == 0 && m[1][2] == 0 && m[2][0] == 0 && m[2][1] == 0 && map.translation.z == 0;
 }
 
+bool faces_plane(const CameraBlock& camera) {
+    if (!camera.orthographic || !camera.eye || !camera.look || camera.zoom) return false;
+    const DecimalVec3& eye = *camera.eye;
+    const DecimalVec3& look = *camera.look;
+    const glm::dvec3 up = camera.up.value_or(glm::dvec3{0, 1, 0});
+    return eye[0].value == look[0].value && eye[1].value == look[1].value &&
+           eye[2].value < look[2].value && up.x == 0 && up.z == 0 && up.y > 0;
+}
+
 }  // namespace pxm::host

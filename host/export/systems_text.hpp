@@ -25,4 +25,8 @@ struct SystemOfObject {
 /// Whether the map keeps the plane z = 0 and neither takes z into x or y.
 [[nodiscard]] bool is_of_plane(const Affine& map);
 
+/// Whether the camera looks at the plane z = 0 from the front, upright, in parallel rays, as it
+/// does in scenes that were imported from the plane.
+[[nodiscard]] bool faces_plane(const CameraBlock& camera);
+
 }  // namespace pxm::host

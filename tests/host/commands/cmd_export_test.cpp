@@ -327,6 +327,17 @@ TEST_F(Export, a_scene_comes_back_from_aifs_as_the_same_picture) {
     }
 }
 
+/// A scene of the plane that was imported keeps its two dimensions.
+TEST_F(Export, an_imported_plane_scene_comes_back_from_aifs_as_the_same_picture) {
+    folder.write("gasket.ifs",
+                 "gasket {\n.5 0 0 .5 0 0 .33\n.5 0 0 .5 1 0 .33\n0 -.5 .5 0 .5 1 .34\n}\n");
+    (void)expect_done(folder, {"import", "gasket.ifs", "-o", "plane.pxm"});
+    (void)write("plane.pxm", "x.aifs", {});
+    EXPECT_THAT(folder.read("x.aifs"), HasSubstr("$dim=2\n"));
+    (void)expect_done(folder, {"import", "x.aifs", "-o", "back.pxm"});
+    expect_same_picture(folder, "plane.pxm", "back.pxm");
+}
+
 TEST_F(Export, a_plane_scene_comes_back_from_a_flame_as_the_same_picture) {
     folder.write("fern.ifs",
                  "fern {\n0 0 0 .16 0 0 .01\n.85 .04 -.04 .85 0 1.6 .85\n"
