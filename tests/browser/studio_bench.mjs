@@ -16,7 +16,7 @@ try {
   const { page } = await openPage(context, studio.address, '#scene=scene.pxm&tab=text');
   // The stage is as large as the picture is to be, whatever stands around it.
   await page.evaluate(() => { const s = document.getElementById('stage'); s.style.flex = 'none'; s.style.width = '1280px'; s.style.height = '720px'; document.getElementById('samples').value = '1'; });
-  await page.waitForFunction(() => studio.live.size.columns === 1280 && studio.live.size.rows === 720);
+  await page.waitForFunction(() => studio.live?.size.columns === 1280 && studio.live.size.rows === 720);
   await settled(page);
 
   const small = [], ratios = [];
