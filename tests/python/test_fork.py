@@ -76,7 +76,10 @@ class Fork(unittest.TestCase):
 
 class Interrupt(unittest.TestCase):
     def test_a_program_ends_by_control_c_as_python_programs_do(self):
-        code = "import pxm; print('begins', flush=True); pxm.render('tetra', size=(8192, 8192), samples=64)"
+        code = (
+            "import pxm, signal; signal.signal(signal.SIGINT, signal.default_int_handler); print('begins', flush=True); "
+            "pxm.render('tetra', size=(1024, 1024), samples=4096)"
+        )
         process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.assertEqual(process.stdout.readline(), "begins\n")
         time.sleep(0.3)

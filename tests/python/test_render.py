@@ -86,17 +86,19 @@ class Render(unittest.TestCase):
 
         begin = time.monotonic()
         with self.assertRaisesRegex(KeyError, "enough"):
-            pxm.render("tetra", size=(8192, 8192), samples=64, progress=refuse)
-        self.assertLess(time.monotonic() - begin, 30)
+            pxm.render("tetra", size=(1024, 1024), samples=4096, progress=refuse)
+        self.assertLess(time.monotonic() - begin, 120)  # of a render that would take far longer
 
     def test_control_c_ends_a_render(self):
+        # Whoever starts the tests may have it ignored, as shells do behind `&`.
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
         timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
         timer.start()
         begin = time.monotonic()
         with self.assertRaises(KeyboardInterrupt):
-            pxm.render("tetra", size=(8192, 8192), samples=64)
+            pxm.render("tetra", size=(1024, 1024), samples=4096)
         timer.join()
-        self.assertLess(time.monotonic() - begin, 30)
+        self.assertLess(time.monotonic() - begin, 120)  # of a render that would take far longer
         self.assertGreater(pxm.render("tetra", size=(32, 24)).hit.sum(), 0)
 
     def test_others_go_on_while_it_renders(self):
