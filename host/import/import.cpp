@@ -20,6 +20,7 @@
 #include "host/import/fractint/fractint_l.hpp"
 #include "host/import/ifsrenderer/ifsjson.hpp"
 #include "host/import/imported_scene.hpp"
+#include "host/import/lsystem/space_system.hpp"
 #include "host/import/moments/moment_search.hpp"
 #include "host/import/moments/picture.hpp"
 #include "host/text/printable.hpp"
@@ -38,6 +39,14 @@ Entry& chosen(std::vector<Entry>& list, const std::string& file,
     return list[choose_entry(names, file, wanted)];
 }
 
+/// FRACTINT knows no quotes: where people write them, they mean nothing by them.
+Imported told_of_quotes(const FractintEntry& entry, Imported imported) {
+    if (entry.has_quotes)
+        imported.messages +=
+            fmt::format("entry \"{}\": quotes are skipped\n", printable(entry.name, longest_name));
+    return imported;
+}
+
 Imported import_ifs(const SourceFile& source, const std::optional<std::string>& wanted) {
     Diagnostics diagnostics;
     auto list = parse_fractint_ifs(source.text, diagnostics);
@@ -48,36 +57,48 @@ Imported import_ifs(const SourceFile& source, const std::optional<std::string>& 
     ifs.entry.diagnostics.throw_if_errors({source});
     Scene scene = imported_scene(fractint_maps(ifs), ifs.entry.name,
                                  ifs.flat ? Space::plane : Space::solid, source);
-    return finished(std::move(scene),
-                    fmt::format("{}: entry \"{}\" of {} (FRACTINT, {})", scene_name(ifs.entry.name),
-                                printable(ifs.entry.name, longest_name), file_name(source.name),
-                                ifs.flat ? "2-D: the plane z = 0" : "3-D"));
+    return told_of_quotes(
+        ifs.entry,
+        finished(std::move(scene),
+                 fmt::format("{}: entry \"{}\" of {} (FRACTINT, {})", scene_name(ifs.entry.name),
+                             printable(ifs.entry.name, longest_name), file_name(source.name),
+                             ifs.flat ? "2-D: the plane z = 0" : "3-D")));
 }
 
 Imported import_l(const SourceFile& source, const std::optional<std::string>& wanted) {
     Diagnostics diagnostics;
     auto list = parse_fractint_l(source.text, diagnostics);
     diagnostics.throw_if_errors({source});
+    for (FractintL& bare : list)
+        if (bare.entry.name.empty()) bare.entry.name = bare_name(source.name);
     FractintL& l = chosen(list, source.name, wanted);
     l.entry.diagnostics.throw_if_errors({source});
     const Lsystem lsystem = lsystem_of(l);
     l.entry.diagnostics.throw_if_errors({source});
-    EdgeSystem system;
+    double growth = 1;
     IfsBlock maps;
     try {
-        system = edge_system(lsystem);
-        maps = lsystem_maps(system);
+        if (lsystem.in_space) {
+            const SpaceSystem system = space_system(lsystem);
+            growth = system.growth;
+            maps = space_maps(system);
+        } else {
+            const EdgeSystem system = edge_system(lsystem);
+            growth = std::abs(system.growth);
+            maps = lsystem_maps(system);
+        }
     } catch (const Error& error) {  // said at its place
         diagnostics.error(l.entry.position, error.what());
         diagnostics.throw_if_errors({source});
     }
     maps.position = l.entry.position;
-    Scene scene = imported_scene(std::move(maps), l.entry.name, Space::plane, source);
-    return finished(std::move(scene),
-                    fmt::format("{}: entry \"{}\" of {} (FRACTINT L-system; lengths grow by {:.6g} "
-                                "a level)",
-                                scene_name(l.entry.name), printable(l.entry.name, longest_name),
-                                file_name(source.name), std::abs(system.growth)));
+    const Space space = lsystem.in_space ? Space::solid : Space::plane;
+    Scene scene = imported_scene(std::move(maps), l.entry.name, space, source);
+    const std::string heading = fmt::format(
+        "{}: entry \"{}\" of {} ({}; lengths grow by {:.6g} a level)", scene_name(l.entry.name),
+        printable(l.entry.name, longest_name), file_name(source.name),
+        lsystem.in_space ? "L-system in space" : "FRACTINT L-system", growth);
+    return told_of_quotes(l.entry, finished(std::move(scene), heading));
 }
 
 IfsBlock block_of(const MomentResult& result) {

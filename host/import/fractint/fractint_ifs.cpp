@@ -48,8 +48,8 @@ void read_body(FractintReader& reader, FractintIfs& ifs) {
     };
     for (;;) {
         reader.skip_blanks();
-        while (reader.peek() == ',') {
-            reader.take();
+        while (reader.peek() == ',' || reader.peek() == '"') {
+            if (reader.take() == '"') ifs.entry.has_quotes = true;
             reader.skip_blanks();
         }
         if (reader.at_end()) return unclosed();
@@ -60,7 +60,7 @@ void read_body(FractintReader& reader, FractintIfs& ifs) {
         const Position place = reader.position();
         if (reader.at_head()) return unclosed();
         std::string_view word = reader.word();
-        word = word.substr(0, word.find(','));
+        word = word.substr(0, word.find_first_of(",\""));
         double value = 0;
         if (!read_number(word, value)) {
             diagnostics.error(
@@ -157,7 +157,7 @@ Affine spatial_map(std::span<const double> n) {
 bool at_bare_numbers(const FractintReader& reader) {
     const std::string_view word = reader.word();
     double value = 0;
-    return read_number(word.substr(0, word.find(',')), value) && !reader.at_head();
+    return read_number(word.substr(0, word.find_first_of(",\"")), value) && !reader.at_head();
 }
 
 }  // namespace

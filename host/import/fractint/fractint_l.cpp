@@ -8,6 +8,7 @@ namespace pxm::host {
 namespace {
 
 constexpr std::string_view turtle_commands = "+-|![]@\\/<>";
+constexpr std::string_view space_commands = "+-|![]@\\/&^$%'\"";
 constexpr std::size_t longest_word = 65'536;
 
 /// Reads the statements of one entry. A statement is `Angle n`, `Axiom s` or `X=s`; a string goes
@@ -19,7 +20,8 @@ class EntryReader {
     void read() {
         for (;;) {
             reader_.skip_blanks();
-            if (reader_.at_end() || reader_.at_head()) return unclosed();
+            const bool bare = l_.entry.name.empty();
+            if (reader_.at_end() || reader_.at_head()) return bare ? void() : unclosed();
             if (reader_.peek() == '}') {
                 reader_.take();
                 return;
@@ -40,6 +42,7 @@ class EntryReader {
     bool statement() {
         const Position place = reader_.position();
         if (starts("angle")) return angle(place);
+        if (is_in_space(l_) && starts("degrees")) return degrees(place);
         if (starts("axiom")) {
             FractintWord word = string(place);
             if (l_.axiom) error(place, "a second axiom");
@@ -83,6 +86,32 @@ class EntryReader {
         return true;
     }
 
+    bool degrees(const Position& place) {
+        const Position number_place = reader_.position();
+        const std::string_view word = reader_.word();
+        double value = 0;
+        if (!read_number(word, value) || !(value > 0 && value <= 360)) {
+            error(number_place,
+                  fmt::format("'Degrees' takes a number above 0 and up to 360, not '{}'",
+                              printable(word)));
+        } else if (l_.angle) {
+            error(place, "a second angle");
+        }
+        l_.degrees = word;
+        l_.angle = value > 0 ? 360 / value : 1;
+        reader_.take_word();
+        return true;
+    }
+
+    /// A small letter, but for a turtle in space: there F draws, f moves, and D and M are letters
+    /// like others.
+    [[nodiscard]] char symbol_of(char c) const {
+        if (!is_in_space(l_)) return lower(c);
+        if (c == 'f') return 'g';
+        const char small = lower(c);
+        return small == 'd' ? 'D' : small == 'm' ? 'M' : small;
+    }
+
     bool rule(const Position& place) {
         const char symbol = reader_.peek();
         const std::string_view word = reader_.word();
@@ -99,10 +128,11 @@ class EntryReader {
                                      word.empty() ? "{" : printable(word)));
             return false;
         }
-        if (turtle_commands.find(symbol) != std::string_view::npos) {
+        const std::string_view commands = is_in_space(l_) ? space_commands : turtle_commands;
+        if (commands.find(symbol) != std::string_view::npos) {
             error(place, fmt::format("'{}' moves the turtle: a rule cannot replace it", symbol));
         }
-        add_rule(lower(symbol), string(place));
+        add_rule(symbol_of(symbol), string(place));
         return true;
     }
 
@@ -118,7 +148,8 @@ class EntryReader {
     /// True if the word here begins another statement of the same line.
     [[nodiscard]] bool at_statement() const {
         const std::string_view head = word_before_equals();
-        return head != reader_.word() || same_word(head, "angle") || same_word(head, "axiom");
+        return head != reader_.word() || same_word(head, "angle") || same_word(head, "axiom") ||
+               (is_in_space(l_) && same_word(head, "degrees"));
     }
     [[nodiscard]] std::string_view word_before_equals() const {
         const std::string_view word = reader_.word();
@@ -131,8 +162,13 @@ class EntryReader {
         for (reader_.skip_blanks_in_line(); !reader_.word().empty() && !at_statement();
              reader_.skip_blanks_in_line()) {
             for (std::size_t rest = reader_.word().size(); rest > 0; --rest) {
+                if (reader_.peek() == '"') {
+                    reader_.take();
+                    l_.entry.has_quotes = true;
+                    continue;
+                }
                 word.places.push_back(reader_.position());
-                word.text += lower(reader_.take());
+                word.text += symbol_of(reader_.take());
             }
         }
         if (word.text.size() > longest_word)
@@ -146,16 +182,37 @@ class EntryReader {
 
 }  // namespace
 
+namespace {
+
+/// True if an entry begins here that has no name: no text but an L-system begins with these words.
+bool at_bare_statement(const FractintReader& reader) {
+    const std::string_view word = reader.word();
+    const std::string_view head = word.substr(0, word.find('='));
+    return (same_word(head, "angle") || same_word(head, "axiom")) && !reader.at_head();
+}
+
+}  // namespace
+
+bool is_in_space(const FractintL& l) { return same_word(l.entry.option, "3D"); }
+
 std::vector<FractintL> parse_fractint_l(std::string_view text, Diagnostics& diagnostics) {
     std::vector<FractintL> list;
     FractintReader reader(text);
     for (reader.skip_blanks(); !reader.at_end() && !diagnostics.full(); reader.skip_blanks()) {
         FractintL l;
-        if (reader.peek() == '{') {  // a block without a name
-            reader.skip_comment_entry();
-            continue;
+        l.entry.position = reader.position();
+        FractintReader inside = reader;  // of a block without a name
+        if (reader.peek() == '{') {
+            inside.take();
+            inside.skip_blanks();
+            if (!at_bare_statement(inside)) {
+                reader.skip_comment_entry();
+                continue;
+            }
         }
-        if (!reader.head(l.entry, diagnostics)) {
+        if (at_bare_statement(inside)) {
+            reader = inside;
+        } else if (!reader.head(l.entry, diagnostics)) {
             if (reader.peek() == '}') reader.take();
             continue;
         }

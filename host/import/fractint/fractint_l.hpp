@@ -3,6 +3,8 @@
 // The case of letters does not matter. F and D draw, G and M move, + and - turn by 360/n degrees to
 // the left and right, \n and /n by n degrees, | turns round, ! exchanges left and right, [ ] push
 // and pop, @n multiplies the step. Colours (C < >) are ignored.
+//   name (3D) { Degrees d or Angle n   Axiom s   X=s ... }
+// is a turtle in space, as [ABOP] has it: & ^ pitch, \ / roll, F draws and f moves.
 #pragma once
 
 #include <map>
@@ -25,9 +27,13 @@ struct FractintWord {
 struct FractintL {
     FractintEntry entry;
     std::optional<double> angle;  // the n of 360/n
+    std::string degrees;          // of an entry in space, which may say them: as written
     std::optional<FractintWord> axiom;
     std::map<char, FractintWord> rules;
 };
+
+/// Whether the entry is of a turtle in space.
+[[nodiscard]] bool is_in_space(const FractintL& l);
 
 /// The entries of a file, comment entries left out. Mistakes inside an entry are kept with it,
 /// others go to `diagnostics`.

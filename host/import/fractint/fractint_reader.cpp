@@ -112,6 +112,7 @@ bool FractintReader::head(FractintEntry& entry, Diagnostics& diagnostics) {
         return false;
     }
     take();
+    entry.has_quotes = std::erase(name, '"') > 0;
     const std::size_t open = std::min(name.find('('), name.size());
     entry.name = name.substr(0, open);
     if (open < name.size()) entry.option = name.substr(open + 1, name.find(')') - open - 1);

@@ -17,6 +17,7 @@ struct FractintEntry {
     std::string option;  // what stands in parentheses after the name: "3D"
     Position position;
     Diagnostics diagnostics;
+    bool has_quotes = false;  // that stand for nothing and were skipped
 };
 
 /// A place in the text of a FRACTINT file.

@@ -1,6 +1,7 @@
 // The strings of a FRACTINT L-system as turtle commands.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/import/fractint/fractint_l.hpp"
@@ -32,6 +33,7 @@ class WordCompiler {
 
     void command(char c) {
         const std::size_t start = place_++;
+        if (is_in_space(l_)) return space_command(c, start);
         if (c == '+' || c == '-') return turn(c == '+' ? 1 : -1, start);
         if (c == '\\' || c == '/')
             return add(TurtleOp::turn_degrees,
@@ -43,6 +45,69 @@ class WordCompiler {
         if (c == '<' || c == '>' || (c == 'c' && !l_.rules.contains('c'))) return skip_digits();
         if (c <= ' ' || c > '~') return error(start, "a character that is not printable ASCII");
         add(TurtleOp::symbol, 0, c);
+    }
+
+    /// [ABOP]'s. Widths and colours (! ' ") say nothing of a place.
+    void space_command(char c, std::size_t start) {
+        switch (c) {
+            case '+':
+            case '-':
+                return space_turn(TurtleOp::turn, c == '+' ? 1 : -1, start);
+            case '&':
+            case '^':
+                return space_turn(TurtleOp::pitch, c == '&' ? 1 : -1, start);
+            case '\\':
+            case '/':
+                return space_turn(TurtleOp::roll, c == '\\' ? 1 : -1, start);
+            case '|':
+                return add(TurtleOp::round);
+            case '[':
+            case ']':
+                return bracket(c, start);
+            case '@':
+                return step_factor(start);
+            case '!':
+            case '\'':
+            case '"':
+                return;
+            case '$':
+                return error(start,
+                             "'$' turns the turtle to the horizon, wherever it is: such an "
+                             "L-system has no exact linear fractal");
+            case '%':
+                return error(start,
+                             "'%' cuts off what comes after it: such an L-system has no "
+                             "exact linear fractal");
+            case '(':
+                return error(start, "parameters: only turns take a number in parentheses");
+            default:
+                if (c <= ' ' || c > '~')
+                    return error(start, "a character that is not printable ASCII");
+                return add(TurtleOp::symbol, 0, c);
+        }
+    }
+
+    /// By the entry's angle, or by the degrees in parentheses.
+    void space_turn(TurtleOp op, int sign, std::size_t start) {
+        TurtleCommand command{op, 0, static_cast<double>(sign), {}};
+        if (place_ < word_.text.size() && word_.text[place_] == '(') {
+            const std::size_t close = std::min(word_.text.find(')', place_), word_.text.size());
+            std::string degrees = word_.text.substr(place_ + 1, close - place_ - 1);
+            double value = 0;
+            if (close == word_.text.size() || !read_number(degrees, value) || std::abs(value) > 360)
+                error(start,
+                      fmt::format("'{}(' needs a number of degrees and ')'", word_.text[start]));
+            if (degrees.starts_with('+')) degrees.erase(0, 1);
+            if (degrees.starts_with('-')) {
+                degrees.erase(0, 1);
+                command.value = -command.value;
+            }
+            command.factor.decimal = degrees.empty() ? "0" : degrees;
+            place_ = std::min(close + 1, word_.text.size());
+        } else if (!l_.angle) {
+            error(start, "a turn, but the entry has neither 'Degrees' nor 'Angle'");
+        }
+        commands_.push_back(std::move(command));
     }
 
     void turn(int steps, std::size_t start) {
@@ -125,6 +190,8 @@ Lsystem lsystem_of(FractintL& l) {
     Lsystem lsystem;
     lsystem.name = l.entry.name;
     lsystem.steps_a_turn = l.angle.value_or(2);
+    lsystem.in_space = is_in_space(l);
+    lsystem.degrees = l.degrees;
     bool uneven_round = false;
     bool flips = false;
     const auto compiled = [&](const FractintWord& word) {

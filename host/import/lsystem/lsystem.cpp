@@ -16,13 +16,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-std::string symbol_name(char symbol) {
-    const auto code = static_cast<unsigned char>(symbol);
-    if (std::isalpha(code)) return {static_cast<char>(std::toupper(code))};
-    if (std::isdigit(code)) return fmt::format("N{}_", symbol);
-    return fmt::format("S{}_", static_cast<int>(code));
-}
-
 class SystemBuilder {
   public:
     SystemBuilder(const Lsystem& lsystem, const Grammar& grammar, const Growth& growth)
@@ -59,7 +52,7 @@ class SystemBuilder {
 
     void add_kind(std::size_t s, std::size_t k) {
         const Rule& rule = grammar_.rules[s];
-        EdgeKind kind{symbol_name(rule.symbol), {}};
+        EdgeKind kind{lsystem_symbol_name(rule.symbol), {}};
         if (periods() > 1) kind.name += fmt::format("{}", static_cast<char>('a' + k));
         const std::size_t before = (k + periods() - 1) % periods();
         if (phase(k).drawn[s] && rule.constant) {
@@ -207,20 +200,20 @@ MapBlock map_block(const Similarity& map, const std::string& name) {
     const double ratio = clean_ratio(std::abs(map.linear));
     const double turn = degrees_of(map.linear);
     const glm::dvec3 offset{clean(map.offset.real()), clean(map.offset.imag()), 0};
-    block.commands.push_back({ScaleCommand{{ratio, map.flip ? -ratio : ratio, ratio}}, {}});
-    if (turn != 0) block.commands.push_back({RotateCommand{Axis::z, turn}, {}});
-    if (offset != glm::dvec3{0.0}) block.commands.push_back({TranslateCommand{offset}, {}});
+    block.commands.emplace_back().kind = ScaleCommand{{ratio, map.flip ? -ratio : ratio, ratio}};
+    if (turn != 0) block.commands.emplace_back().kind = RotateCommand{Axis::z, turn};
+    if (offset != glm::dvec3{0.0}) block.commands.emplace_back().kind = TranslateCommand{offset};
     return block;
 }
 
 /// The follow rules of the scene name every edge of the graph.
-void require_small_graph(const EdgeSystem& system) {
+void require_small_graph(const std::vector<GraphKind>& kinds) {
     constexpr std::size_t most_edges = 1'000'000;
     std::size_t edges = 0;
-    for (const EdgeKind& kind : system.kinds)
-        for (const EdgeMap& map : kind.maps)
-            edges += system.kinds[static_cast<std::size_t>(map.inside)].maps.size();
-    if (system.kinds.size() > 1 && edges > most_edges)
+    for (const GraphKind& kind : kinds)
+        for (const int inside : kind.inside)
+            edges += kinds[static_cast<std::size_t>(inside)].inside.size();
+    if (kinds.size() > 1 && edges > most_edges)
         throw Error(ErrorKind::scene,
                     fmt::format("the L-system's graph has {} edges: at most {} are taken", edges,
                                 most_edges));
@@ -240,31 +233,54 @@ EdgeSystem edge_system(const Lsystem& lsystem) {
 }
 
 IfsBlock lsystem_maps(const EdgeSystem& system) {
-    IfsBlock block;
-    require_small_graph(system);
-    // One kind, begun with itself: any map inside any other, an IFS without a graph.
-    const bool single = system.start.size() == 1;  // its map is the identity
-    const bool without_graph = single && system.kinds.size() == 1;
-    std::vector<std::vector<MapReference>> of_kind;
+    std::vector<GraphKind> kinds;
     for (const EdgeKind& kind : system.kinds) {
+        GraphKind& graph = kinds.emplace_back(GraphKind{kind.name, {}});
+        for (const EdgeMap& map : kind.maps) graph.inside.push_back(map.inside);
+    }
+    std::vector<int> start;
+    for (const EdgeMap& map : system.start) start.push_back(map.inside);
+    return graph_block(
+        kinds, start, [&](std::size_t kind, std::size_t map, const std::string& name) {
+            const auto& from = kind < kinds.size() ? system.kinds[kind].maps : system.start;
+            return map_block(from[map].map, name);
+        });
+}
+
+std::string lsystem_symbol_name(char symbol) {
+    const auto code = static_cast<unsigned char>(symbol);
+    if (std::isalpha(code)) return {static_cast<char>(std::toupper(code))};
+    if (std::isdigit(code)) return fmt::format("N{}_", symbol);
+    return fmt::format("S{}_", static_cast<int>(code));
+}
+
+IfsBlock graph_block(
+    const std::vector<GraphKind>& kinds, const std::vector<int>& start,
+    const std::function<MapBlock(std::size_t, std::size_t, const std::string&)>& make) {
+    IfsBlock block;
+    require_small_graph(kinds);
+    // One kind, begun with itself: any map inside any other, an IFS without a graph.
+    const bool single = start.size() == 1;  // its map is the identity
+    const bool without_graph = single && kinds.size() == 1;
+    std::vector<std::vector<MapReference>> of_kind;
+    for (const GraphKind& kind : kinds) {
         std::vector<MapReference>& names = of_kind.emplace_back();
-        for (std::size_t i = 0; i < kind.maps.size(); ++i)
+        for (std::size_t i = 0; i < kind.inside.size(); ++i)
             names.push_back({fmt::format("{}{}", kind.name, i + 1), {}});
     }
-    const auto add = [&](const EdgeMap& map, const MapReference& name) {
-        block.maps.push_back(map_block(map.map, std::get<std::string>(name.map)));
+    const auto add = [&](std::size_t kind, std::size_t map, int inside, const MapReference& name) {
+        block.maps.push_back(make(kind, map, std::get<std::string>(name.map)));
         if (!without_graph)
-            block.follow.push_back({name, of_kind[static_cast<std::size_t>(map.inside)]});
+            block.follow.push_back({name, of_kind[static_cast<std::size_t>(inside)]});
     };
-    if (single && !without_graph)
-        block.start = of_kind[static_cast<std::size_t>(system.start[0].inside)];
-    for (std::size_t i = 0; !single && i < system.start.size(); ++i) {
+    if (single && !without_graph) block.start = of_kind[static_cast<std::size_t>(start[0])];
+    for (std::size_t i = 0; !single && i < start.size(); ++i) {
         block.start.push_back({fmt::format("axiom{}", i + 1), {}});
-        add(system.start[i], block.start.back());
+        add(kinds.size(), i, start[i], block.start.back());
     }
-    for (std::size_t k = 0; k < system.kinds.size(); ++k)
-        for (std::size_t i = 0; i < system.kinds[k].maps.size(); ++i)
-            add(system.kinds[k].maps[i], of_kind[k][i]);
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+        for (std::size_t i = 0; i < kinds[k].inside.size(); ++i)
+            add(k, i, kinds[k].inside[i], of_kind[k][i]);
     return block;
 }
 

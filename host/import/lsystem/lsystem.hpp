@@ -5,6 +5,7 @@
 #pragma once
 
 #include <complex>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@
 
 namespace pxm::host {
 
-enum class TurtleOp { symbol, turn, turn_degrees, round, flip, step, push, pop };
+enum class TurtleOp { symbol, turn, turn_degrees, pitch, roll, round, flip, step, push, pop };
 
 /// What multiplies the length of a step: a decimal number, or 1 over it, or the square root of
 /// either. It is kept as it is written, since a double would round it.
@@ -24,7 +25,9 @@ struct StepFactor {
 };
 
 /// One command of the turtle. `turn` is to the left, in steps of `Lsystem::steps_a_turn`, and
-/// `turn_degrees` in degrees; `round` is in steps too, and is not reversed by `flip`.
+/// `turn_degrees` in degrees; `round` is in steps too, and is not reversed by `flip`. In space
+/// `turn` is about the turtle's up, `pitch` about its left and `roll` about its forward axis, back
+/// if the value is negative, by the step or by as many degrees as `factor` has.
 struct TurtleCommand {
     TurtleOp op = TurtleOp::symbol;
     char symbol = 0;
@@ -35,6 +38,8 @@ struct TurtleCommand {
 struct Lsystem {
     std::string name;
     double steps_a_turn = 2;  // of + and -
+    bool in_space = false;    // space_system.hpp
+    std::string degrees;      // in space, of a step: as written, or empty
     std::vector<TurtleCommand> axiom;
     std::map<char, std::vector<TurtleCommand>> rules;  // a symbol without a rule stays as it is
 };
@@ -42,6 +47,22 @@ struct Lsystem {
 /// 'f' and 'd' draw a step; 'g' and 'm' move a step.
 [[nodiscard]] bool draws(char symbol);
 [[nodiscard]] bool moves(char symbol);
+
+/// What a symbol's maps are named after.
+[[nodiscard]] std::string lsystem_symbol_name(char symbol);
+
+/// The kinds of a system of any dimension: of each map, the kind inside it.
+struct GraphKind {
+    std::string name;
+    std::vector<int> inside;
+};
+
+/// The block of a graph of maps. `block(kind, map, name)` makes a map; those of the start have the
+/// number behind the last kind's. A single start is the identity. Throws Error(ErrorKind::scene) if
+/// the graph has too many edges.
+[[nodiscard]] IfsBlock graph_block(
+    const std::vector<GraphKind>& kinds, const std::vector<int>& start,
+    const std::function<MapBlock(std::size_t, std::size_t, const std::string&)>& block);
 
 /// x' = linear x + offset in the complex plane, x conjugated first if `flip`.
 struct Similarity {

@@ -42,6 +42,8 @@ struct Grammar {
 };
 [[nodiscard]] Grammar grammar_of(const Lsystem& lsystem);
 
+[[nodiscard]] LongReal value_of(const StepFactor& factor);
+
 /// What is known of every symbol at one level. Displacements are those of a turtle that starts to
 /// the right with step 1; one that is not known from zero is zero.
 struct Level {

@@ -22,12 +22,6 @@ TurtleTurn after(const TurtleTurn& turn, const TurtleTurn& drawing, const Compas
             drawing.step == 1 ? turn.step : LongReal(turn.step * drawing.step)};
 }
 
-LongReal value_of(const StepFactor& factor) {
-    LongReal value(factor.decimal);
-    if (factor.root) value = sqrt(value);
-    return factor.inverse ? LongReal(1 / value) : value;
-}
-
 /// What a command other than a symbol or a bracket does to the turtle.
 void turn_by(const TurtleCommand& command, const Compass& compass, TurtleTurn& turn) {
     switch (command.op) {
@@ -46,6 +40,8 @@ void turn_by(const TurtleCommand& command, const Compass& compass, TurtleTurn& t
         case TurtleOp::step:
             turn.step *= value_of(command.factor);
             break;
+        case TurtleOp::pitch:  // of space alone
+        case TurtleOp::roll:
         case TurtleOp::symbol:
         case TurtleOp::push:
         case TurtleOp::pop:
@@ -112,6 +108,12 @@ void displace(const Passage& passage, const Compass& compass, const Level& level
 }
 
 }  // namespace
+
+LongReal value_of(const StepFactor& factor) {
+    LongReal value(factor.decimal);
+    if (factor.root) value = sqrt(value);
+    return factor.inverse ? LongReal(1 / value) : value;
+}
 
 bool draws(char symbol) { return symbol == 'f' || symbol == 'd'; }
 bool moves(char symbol) { return symbol == 'g' || symbol == 'm'; }

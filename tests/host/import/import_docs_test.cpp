@@ -54,7 +54,7 @@ TEST(ImportDocs, every_example_is_imported) {
         l += import_all(text, parse_fractint_l(text, diagnostics), FractintFormat::l);
     EXPECT_FALSE(diagnostics.has_errors());
     EXPECT_EQ(ifs, 1);
-    EXPECT_EQ(l, 3);
+    EXPECT_EQ(l, 4);
 }
 
 TEST(ImportDocs, examples_of_other_programs_are_imported) {

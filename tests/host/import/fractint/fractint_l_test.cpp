@@ -42,6 +42,26 @@ TEST(FractintL, statements_are_read_however_they_are_spaced) {
     }
 }
 
+TEST(FractintL, an_entry_may_lack_its_name_and_its_braces) {
+    for (const char* text :
+         {"Angle 6\nAxiom F--F\nF=F+F\n", "; a comment\naxiom F--F angle 6 F=F+F",
+          "{ Angle 6\nAxiom F--F\nF=F+F }", "Angle=6 Axiom \"F--F\"\nF=\"F+F\""}) {
+        const FractintL l = only(text);
+        EXPECT_EQ(l.entry.name, "");
+        EXPECT_EQ(l.angle, 6) << text;
+        EXPECT_EQ(l.axiom->text, "f--f") << text;
+        EXPECT_EQ(l.rules.at('f').text, "f+f") << text;
+        EXPECT_EQ(l.entry.has_quotes, std::string(text).find('"') != std::string::npos);
+    }
+    const FractintL quoted = only("\"a\" { Angle 6\nAxiom F }");
+    EXPECT_EQ(quoted.entry.name, "a");
+    EXPECT_TRUE(quoted.entry.has_quotes);
+    Diagnostics diagnostics;
+    EXPECT_EQ(parse_fractint_l("{ no entry: Axiom F }\nt { Axiom F }", diagnostics).size(), 1U);
+    EXPECT_EQ(parse_fractint_l("Axiom F F=FF\nt { Axiom F }", diagnostics).size(), 2U);
+    EXPECT_FALSE(diagnostics.has_errors());
+}
+
 TEST(FractintL, commands_move_the_turtle_as_documented) {
     const auto turn = [](const std::string& word, TurtleOp op) {
         const TurtleCommand command = axiom(word + "F").at(0);
