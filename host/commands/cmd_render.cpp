@@ -411,6 +411,26 @@ ExitCode render_command(const RenderArguments& arguments) {
     return render_picture(arguments);
 }
 
+/// What makes a picture in parts, or one that survives.
+void add_part_options(CommandOptions& command, RenderArguments& arguments) {
+    const Option part = command.add_option(
+        "--part", arguments.part,
+        "I/N: only this part, into a file of the folder OUT (pxm join); auto: which one a launcher "
+        "says (docs/cluster.md)");
+    const Option claim = command.add_option("--claim", arguments.claim,
+                                            "Make parts in this folder, one after another, that "
+                                            "nobody else makes, until all are there");
+    command
+        .add_option("--claim-expiry", arguments.claim_expiry,
+                    "Seconds after which a silent worker counts as dead; default 60")
+        .transform(number_within(0.1, 86400));
+    command
+        .add_option("--keep", arguments.keep,
+                    "Put what is done into this folder now and then; run again, go on from there")
+        .excludes(part)
+        .excludes(claim);
+}
+
 }  // namespace
 
 AddedCommand add_render_command(CommandLine& line) {
@@ -432,22 +452,7 @@ AddedCommand add_render_command(CommandLine& line) {
                        "Cycles of the machine's operations, a JSON file (docs/machine.md)");
     add_threads_option(command, a->threads);
     command.add_option("--stats", a->stats, "Write statistics to this JSON file");
-    const Option part = command.add_option(
-        "--part", a->part,
-        "I/N: only this part, into a file of the folder OUT (pxm join); auto: which one a launcher "
-        "says (docs/cluster.md)");
-    const Option claim = command.add_option("--claim", a->claim,
-                                            "Make parts in this folder, one after another, that "
-                                            "nobody else makes, until all are there");
-    command
-        .add_option("--claim-expiry", a->claim_expiry,
-                    "Seconds after which a silent worker counts as dead; default 60")
-        .transform(number_within(0.1, 86400));
-    command
-        .add_option("--keep", a->keep,
-                    "Put what is done into this folder now and then; run again, go on from there")
-        .excludes(part)
-        .excludes(claim);
+    add_part_options(command, *a);
     add_limit_options(command, a->limits);
     add_set_option(command, a->set);
     add_scene_options(command, *a);
