@@ -146,8 +146,7 @@ void require_instances(const Tally& tally) {
     constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
     if (tally.cells > most / least_bytes)
         throw Error(ErrorKind::setting,
-                    fmt::format("{} cells: a .glb holds 4 GiB at most; --format gltf holds more",
-                                tally.cells));
+                    "too many cells: a .glb holds 4 GiB at most; --format gltf holds more");
 }
 
 void require_gltf(const ExportScene& scene, const Tally& tally, bool is_glb) {

@@ -29,10 +29,11 @@ std::string header(const ExportJob& job) {
 
 void require_ply(const Tally& tally) {
     if (tally.vertices <= std::numeric_limits<std::uint32_t>::max()) return;
-    throw Error(ErrorKind::setting,
-                fmt::format("{} vertices: the numbers of a PLY mesh end at {}; fewer --levels, or "
-                            "--format gltf, which has instances",
-                            tally.vertices, std::numeric_limits<std::uint32_t>::max()));
+    throw Error(
+        ErrorKind::setting,
+        fmt::format("too many vertices: the numbers of a PLY mesh end at {}; fewer --levels, or "
+                    "--format gltf, which has instances",
+                    std::numeric_limits<std::uint32_t>::max()));
 }
 
 void write_ply_mesh(const ExportJob& job, CheckedFile& file) {

@@ -32,7 +32,7 @@ void put_triangle(Sink& sink, const glm::dvec3& a, const glm::dvec3& b, const gl
 void require_stl(const Tally& tally) {
     if (tally.triangles > std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorKind::setting,
-                    fmt::format("{} triangles: STL counts to {}; fewer --levels", tally.triangles,
+                    fmt::format("too many triangles: STL counts to {}; fewer --levels",
                                 std::numeric_limits<std::uint32_t>::max()));
     if (tally.number == CoordinateNumber::double_)
         throw Error(ErrorKind::setting,
