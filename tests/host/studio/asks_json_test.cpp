@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/error.hpp"
@@ -110,6 +112,37 @@ TEST(AsksJson, a_pixel_lies_in_the_picture) {
     EXPECT_EQ(asked_pixel(pixel.dump()).x, 639);
     pixel["x"] = 640;
     EXPECT_THROW((void)asked_pixel(pixel.dump()), Error);
+}
+
+TEST(AsksJson, a_check_may_say_how_large_the_picture_is) {
+    EXPECT_EQ(asked_check(question().dump()).size, (PixelSize{640, 480}));
+    Json bare = question();
+    bare.erase("columns");
+    EXPECT_THROW((void)asked_check(bare.dump()), Error) << "one of two";
+    bare.erase("rows");
+    EXPECT_EQ(asked_check(bare.dump()).size, std::nullopt);
+    bare["columns"] = bare["rows"] = 1'000'000;
+    EXPECT_THROW((void)asked_check(bare.dump()), Error);
+}
+
+TEST(AsksJson, a_file_comes_as_base64_and_a_study_is_small) {
+    const Json file = {{"view", "a"}, {"serial", 1}, {"name", "x.ifs"}, {"data", "TWFu"}};
+    EXPECT_EQ(asked_import(file.dump()).file.bytes, "Man");
+    for (const auto& [key, value] : {std::pair{"data", Json("<>")}, std::pair{"name", Json(3)},
+                                     std::pair{"maps", Json(100)}, std::pair{"entry", Json(7)}}) {
+        Json wrong = file;
+        wrong[key] = value;
+        EXPECT_THROW((void)asked_import(wrong.dump()), Error) << key;
+    }
+    Json study = question();
+    study["columns"] = study["rows"] = 64;
+    study["kind"] = "balance";
+    EXPECT_EQ(asked_study(study.dump()).kind, StudyKind::balance);
+    study["kind"] = "../balance";
+    EXPECT_THROW((void)asked_study(study.dump()), Error);
+    study["kind"] = "error";
+    study["rows"] = 3000;
+    EXPECT_THROW((void)asked_study(study.dump()), Error);
 }
 
 }  // namespace
