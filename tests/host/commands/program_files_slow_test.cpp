@@ -216,7 +216,7 @@ TEST_F(ProgramFiles, out_of_memory_is_code_1_with_a_message_in_every_engine) {
 }
 
 TEST_F(ProgramFiles, threads_that_cannot_start_are_done_without) {
-    const std::string render = "$PXM render tetra.pxm --size 64x64 --quiet ";
+    const std::string render = "$PXM render tetra.pxm --size 64x64 --quiet --no-scene ";
     ASSERT_EQ(shell(render + "-o a.png").exit_code, 0);
     for (const char* engine : {"", "--intersect heap", "--machine 964dX"}) {
         const Outcome outcome = shell("ulimit -v 3000000; " + render + "--threads 1024 -o b.png " +
