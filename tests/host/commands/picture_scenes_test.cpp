@@ -2,7 +2,9 @@
 // wrote into a picture reaches nothing.
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -140,6 +142,42 @@ TEST_F(PictureScenes, so_does_what_was_found_in_a_scene_folder) {
     std::filesystem::remove_all(folder.path("mine"));
     render("old.png", "new.png");
     expect_same("old.png", "new.png");
+}
+
+TEST_F(PictureScenes, no_string_of_an_exr_is_longer_than_readers_bear) {
+    std::string noise;
+    for (unsigned i = 0, x = 1; i < 3000; ++i)
+        noise += static_cast<char>('a' + (x = x * 1103515245U + 12345U) / 65536U % 26);
+    folder.write("long.pxm", tetra_scene + "\n# "s + noise + "\n");
+    render("long.pxm", "old.exr", {"--size", "8x8"});
+    const std::string bytes = folder.read("old.exr");
+    int pieces = 0;
+    for (std::size_t at = 8; bytes.at(at) != '\0';) {
+        const std::string name = bytes.c_str() + at;
+        const std::string type = bytes.c_str() + at + name.size() + 1;
+        const std::size_t size = at + name.size() + type.size() + 2;
+        std::uint32_t count = 0;
+        std::memcpy(&count, bytes.data() + size, sizeof count);
+        if (type == "string") {
+            EXPECT_LE(count, 255U) << name;
+        }
+        if (name.starts_with("pxm_source")) ++pieces;
+        at = size + sizeof count + count;
+    }
+    EXPECT_GT(pieces, 5);
+    expect_done(folder, {"inspect", "old.exr", "--scene", "-o", "text"});
+    EXPECT_EQ(folder.read("text"), folder.read("long.pxm"));
+    std::string broken = bytes;
+    broken[broken.find("pxm_source_0002") + 16 + 7 + 4] = '*';
+    folder.write("broken.exr", broken);
+    expect_refused("broken.exr",
+                   "broken.exr: the scene that it carries is not written as pxm does it");
+    broken = bytes;
+    broken.replace(broken.find("pxm_source_0002") + 16, 6, "strinG");
+    folder.write("broken.exr", broken);
+    expect_refused("broken.exr",
+                   "broken.exr: the scene that it carries is no text, or larger than "
+                   "1048576 bytes");
 }
 
 TEST_F(PictureScenes, no_place_of_a_disk_is_told) {
