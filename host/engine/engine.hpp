@@ -31,7 +31,7 @@ struct EngineChoice {
     std::int64_t stack_bytes = 0;            // of a node of the machine
     CostModel costs = default_cost_model();  // of its instructions
     IntersectMethod intersect = IntersectMethod::heap;  // as chosen: not automatic
-    NodeCode code = NodeCode::counted;
+    NodeCode code = NodeCode::counted;                  // what the nodes of a machine run
 };
 
 /// How a render is watched and stopped from outside.

@@ -47,7 +47,7 @@ struct IfsFacts {
     ExactFindings exact;                   // what is decided in the scene's very numbers
     std::vector<std::string> exact_names;  // of the maps that its numbers stand for
     std::optional<Moments> moments;        // of the measure by the maps' weights
-    Diameter diameter;
+    Diameter diameter;                     // of its attractor
 };
 
 /// The bounding volume of an object, as declared and as used.

@@ -20,7 +20,7 @@ void require_image_format(const std::string& path, const std::vector<Aov>& aovs)
 
 /// Channels of an EXR that come from elsewhere than its frame.
 struct ExtraChannels {
-    std::vector<std::string> names;
+    std::vector<std::string> names;                      // as the file has them
     Metadata metadata;                                   // under these names
     std::function<void(long x, long y, float* to)> put;  // the values of a pixel of the image
 };

@@ -23,7 +23,7 @@ class Render(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             ours, theirs = Path(folder, "ours.png"), Path(folder, "theirs.png")
             pxm.render("tetra", size=(96, 72)).save(ours)
-            subprocess.run([PROGRAM, "render", "tetra", "--size", "96x72", "--quiet", "-o", theirs], check=True)
+            subprocess.run([PROGRAM, "render", "tetra", "--size", "96x72", "--quiet", "--no-scene", "-o", theirs], check=True)
             self.assertEqual(ours.read_bytes(), theirs.read_bytes())
             ours, theirs = Path(folder, "ours.exr"), Path(folder, "theirs.exr")
             pxm.render("menger", size=(64, 48)).save(ours, aovs=["Z", "N", "word"])

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <queue>
 
 #include "host/math/lipschitz.hpp"
@@ -46,9 +47,16 @@ class Search {
             const Pair pair = pairs_.top();
             found_.upper = pair.upper;
             if (pair.upper <= found_.value * (1 + tolerance) || looked > budget) break;
+            // A system of many maps would make more pairs at once than are looked at in all.
+            const bool both = maps_in(pair.first) * maps_in(pair.second) <= budget / 8;
+            const bool first = both || pair.first.radius >= pair.second.radius;
+            const bool second = both || !first;
+            const long made =
+                (first ? maps_in(pair.first) : 1) * (second ? maps_in(pair.second) : 1);
+            if (looked + made > budget) break;
             pairs_.pop();
-            for (const Cell& a : children(pair.first)) {
-                for (const Cell& b : children(pair.second)) meet(a, b);
+            for (const Cell& a : parts(pair.first, first)) {
+                for (const Cell& b : parts(pair.second, second)) meet(a, b);
             }
             looked = count_;
         }
@@ -67,7 +75,13 @@ class Search {
                 map.point(inner_[s].front())};
     }
 
-    [[nodiscard]] std::vector<Cell> children(const Cell& of) const {
+    [[nodiscard]] long maps_in(const Cell& of) const {
+        return std::ssize(rifs_.follow_sets[static_cast<std::size_t>(of.set)].maps);
+    }
+
+    /// Its children, or the cell as it is.
+    [[nodiscard]] std::vector<Cell> parts(const Cell& of, bool divided) const {
+        if (!divided) return {of};
         std::vector<Cell> cells;
         for (const int m : rifs_.follow_sets[static_cast<std::size_t>(of.set)].maps)
             cells.push_back(cell(then(rifs_.maps[static_cast<std::size_t>(m)], of.map),

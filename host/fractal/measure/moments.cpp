@@ -11,8 +11,9 @@ namespace pxm::host {
 
 namespace {
 
-constexpr int most_rounds = 20'000;
-constexpr double at_rest = 1e-15;  // of the size
+constexpr std::size_t most_rounds = 20'000;
+constexpr std::size_t most_steps = 30'000'000;  // maps applied: a second or two
+constexpr double at_rest = 1e-15;               // of the size
 
 /// Probabilities within each follow set, beside its maps.
 std::vector<std::vector<double>> probabilities(const Rifs& rifs,
@@ -90,8 +91,11 @@ void add_axes(Moments& found) {
 std::optional<Moments> moments(const Rifs& rifs, const std::vector<double>& weights) {
     const auto shares = probabilities(rifs, weights);
     std::vector<Mean> means(rifs.follow_sets.size());
+    std::size_t steps = 1;  // of a round
+    for (const FollowSet& set : rifs.follow_sets) steps += set.maps.size();
+    const std::size_t rounds = std::min(most_rounds, most_steps / steps);
     bool rests = false;
-    for (int round = 0; round < most_rounds && !rests; ++round) {
+    for (std::size_t round = 0; round < rounds && !rests; ++round) {
         std::vector<Mean> next = applied(rifs, shares, means);
         double far = 0, size = 0;
         for (std::size_t s = 0; s < means.size(); ++s) {
