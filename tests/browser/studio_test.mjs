@@ -45,7 +45,7 @@ async function rendered(page) {
   await page.click('#command');
   const command = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(command, /^pxm render /);
-  execFileSync('/bin/sh', ['-c', command.replace(/^pxm/, '"$PXM"')], { cwd: studio.folder, env: { ...process.env, PXM: program }, stdio: 'pipe' });
+  execFileSync('/bin/sh', ['-c', `${command.replace(/^pxm/, '"$PXM"')} --no-scene`], { cwd: studio.folder, env: { ...process.env, PXM: program }, stdio: 'pipe' });
   return { command, file: readFileSync(join(studio.folder, /-o (\S+)$/.exec(command)[1])) };
 }
 

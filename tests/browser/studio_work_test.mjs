@@ -231,7 +231,7 @@ const tests = {
     const download = page.waitForEvent('download');
     await page.click('#render-start');
     const file = readFileSync(await (await download).path());
-    execFileSync(program, ['render', 'tetra.pxm', '--size', `300x${rows}`, '--samples', '4', '-o', 'same.png', '--quiet'], { cwd: studio.folder });
+    execFileSync(program, ['render', 'tetra.pxm', '--size', `300x${rows}`, '--samples', '4', '-o', 'same.png', '--quiet', '--no-scene'], { cwd: studio.folder });
     assert.deepEqual(file, readFileSync(join(studio.folder, 'same.png')), 'it is the file that pxm render writes');
     await page.fill('#render-columns', '2000');
     await page.fill('#render-rows', '2000');
