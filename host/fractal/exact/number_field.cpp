@@ -11,6 +11,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "host/fractal/exact/thread_memory.hpp"
+
 namespace pxm::host::exact {
 
 namespace {
@@ -24,7 +26,10 @@ constexpr long largest_order = 720;  // of a turn whose cosine is looked for
 
 class Real {
   public:
-    Real() { arb_init(value_); }
+    Real() {
+        give_back_with_thread();
+        arb_init(value_);
+    }
     Real(const Real& other) : Real() { arb_set(value_, other.value_); }
     Real& operator=(const Real& other) {
         arb_set(value_, other.value_);

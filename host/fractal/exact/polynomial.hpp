@@ -7,11 +7,16 @@
 #include <string>
 #include <utility>
 
+#include "host/fractal/exact/thread_memory.hpp"
+
 namespace pxm::host::exact {
 
 class Polynomial {
   public:
-    Polynomial() { fmpq_poly_init(value_); }
+    Polynomial() {
+        give_back_with_thread();
+        fmpq_poly_init(value_);
+    }
     explicit Polynomial(long whole) : Polynomial() { fmpq_poly_set_si(value_, whole); }
     Polynomial(const Polynomial& other) : Polynomial() { fmpq_poly_set(value_, other.value_); }
     Polynomial(Polynomial&& other) noexcept : Polynomial() { fmpq_poly_swap(value_, other.value_); }
