@@ -75,32 +75,55 @@ void Watch::look() {
         progress_.update(static_cast<double>(visited_) / static_cast<double>(expected_));
 }
 
-Tally forecast(const ExportScene& scene) {
-    struct Counts {
-        double cells = 0, vertices = 0, triangles = 0;
-        void add(const Counts& other) {
-            cells += other.cells;
-            vertices += other.vertices;
-            triangles += other.triangles;
+namespace {
+
+/// How many there are where nothing but the levels ends a word.
+struct Counts {
+    double cells = 0, vertices = 0, triangles = 0;
+    void add(const Counts& other) {
+        cells += other.cells;
+        vertices += other.vertices;
+        triangles += other.triangles;
+    }
+};
+
+Counts by_levels(const ExportSystem& system) {
+    std::vector<Counts> ends;  // of a word that ends in a set
+    for (const SystemSet& set : system.sets)
+        ends.push_back({1, static_cast<double>(set.shape.vertices.size()),
+                        static_cast<double>(triangles_of(set.shape).size())});
+    std::vector<Counts> inside = ends;  // of what ends after so many more maps
+    for (std::uint32_t level = 0; level < system.levels; ++level) {
+        std::vector<Counts> around(inside.size());
+        for (std::size_t s = 0; s < around.size(); ++s) {
+            if (system.sets[s].maps.empty()) around[s] = ends[s];
+            for (const int m : system.sets[s].maps) {
+                const int set = system.maps[static_cast<std::size_t>(m)].inside;
+                around[s].add(inside[static_cast<std::size_t>(set)]);
+            }
         }
-    };
+        inside = std::move(around);
+        if (system.maps.empty()) break;
+    }
+    return inside[static_cast<std::size_t>(system.start)];
+}
+
+[[noreturn]] void refuse_number(const ExportSystem& system) {
+    throw Error(ErrorKind::setting,
+                fmt::format("object \"{}\" has more than {:.0f} cells: fewer --levels or a larger "
+                            "--detail",
+                            printable(system.name), most_cells));
+}
+
+}  // namespace
+
+double cells_by_levels(const ExportSystem& system) { return by_levels(system).cells; }
+
+Tally forecast(const ExportScene& scene) {
     Counts all;
     for (const ExportSystem& system : scene.systems) {
         if (system.detail > 0 && !system.maps.empty()) return {};
-        std::vector<Counts> inside;  // of what ends after so many more maps
-        for (const SystemSet& set : system.sets)
-            inside.push_back({1, static_cast<double>(set.shape.vertices.size()),
-                              static_cast<double>(triangles_of(set.shape).size())});
-        const std::uint32_t levels = system.maps.empty() ? 0 : system.levels;
-        for (std::uint32_t level = 0; level < levels; ++level) {
-            std::vector<Counts> around(inside.size());
-            for (std::size_t s = 0; s < around.size(); ++s)
-                for (const int m : system.sets[s].maps)
-                    around[s].add(inside[static_cast<std::size_t>(
-                        system.maps[static_cast<std::size_t>(m)].inside)]);
-            inside = std::move(around);
-        }
-        all.add(inside[static_cast<std::size_t>(system.start)]);
+        all.add(by_levels(system));
     }
     const auto whole = [](double count) {
         constexpr auto most = std::numeric_limits<std::uint64_t>::max();
@@ -112,35 +135,6 @@ Tally forecast(const ExportScene& scene) {
     tally.triangles = whole(all.triangles);
     return tally;
 }
-
-double cells_by_levels(const ExportSystem& system) {
-    std::vector<double> below(system.sets.size(), 1.0);
-    for (std::uint32_t level = 0; level < system.levels; ++level) {
-        std::vector<double> next(below.size(), 0.0);
-        for (std::size_t s = 0; s < below.size(); ++s) {
-            const std::vector<int>& maps = system.sets[s].maps;
-            if (maps.empty()) next[s] = 1;
-            for (const int map : maps) {
-                const int inside = system.maps[static_cast<std::size_t>(map)].inside;
-                next[s] += below[static_cast<std::size_t>(inside)];
-            }
-        }
-        if (next == below) break;
-        below = std::move(next);
-    }
-    return below[static_cast<std::size_t>(system.start)];
-}
-
-namespace {
-
-[[noreturn]] void refuse_number(const ExportSystem& system) {
-    throw Error(ErrorKind::setting,
-                fmt::format("object \"{}\" has more than {:.0f} cells: fewer --levels or a larger "
-                            "--detail",
-                            printable(system.name), most_cells));
-}
-
-}  // namespace
 
 Tally tally_of(const ExportScene& scene, Watch& watch) {
     Tally tally;
