@@ -75,7 +75,7 @@ configure_file(cmake/pxm.pc.in ${CMAKE_BINARY_DIR}/install/pxm.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/install/pxm.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
 install(TARGETS pxm_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
-install(TARGETS pxm_openexr LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT runtime)
+install(TARGETS pxm_openexr pxm_flint LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT runtime)
 install(TARGETS pxm_openimageio LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT formats)
 install(DIRECTORY scenes DESTINATION ${PXM_INSTALL_DATA} COMPONENT runtime FILES_MATCHING PATTERN "*.pxm"
     PATTERN gallery EXCLUDE)

@@ -3,28 +3,34 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
-#include "host/inspect/exact_scene.hpp"
+#include "host/error.hpp"
+#include "host/exact/exact_library.hpp"
 
 namespace pxm::host {
 
 namespace {
 
-/// The maps of `part`, in its order.
-exact::WrittenMaps written_part(const Scene& scene, const IfsBlock& block, const Rifs& rifs,
-                                const Rifs& part) {
-    exact::WrittenMaps all = written_maps(scene, block);
-    std::vector<exact::Entries> maps;
-    for (const std::string& name : part.map_names) {
-        const auto place = std::ranges::find(rifs.map_names, name) - rifs.map_names.begin();
-        maps.push_back(all.maps[static_cast<std::size_t>(place)]);
-    }
-    all.maps = std::move(maps);
-    return all;
+/// Of the maps of `part`: their places in `rifs`, and so in its block.
+std::vector<std::size_t> places(const Rifs& rifs, const Rifs& part) {
+    std::vector<std::size_t> places;
+    for (const std::string& name : part.map_names)
+        places.push_back(static_cast<std::size_t>(std::ranges::find(rifs.map_names, name) -
+                                                  rifs.map_names.begin()));
+    return places;
 }
 
-Scene scene_without_text() { return {}; }
+ExactFindings found_exactly(const WrittenSystem& system, const NeighbourLimits& limits) {
+    if (!limits.as_written) return nothing_exact("numbers were set from outside");
+    try {
+        return exact_library().find(system, limits);
+    } catch (const Error& error) {
+        return nothing_exact(error.what());
+    }
+}
 
 }  // namespace
 
@@ -32,15 +38,9 @@ void add_exact_facts(const IfsBlock& block, const Scene* scene, const Rifs& part
                      const std::vector<Bounds>& bounds, const NeighbourLimits& limits,
                      IfsFacts& facts) {
     facts.exact_names = part.map_names;
-    const Scene none = scene_without_text();
-    try {
-        if (!limits.as_written) throw exact::NotExact{"numbers were set from outside"};
-        facts.exact =
-            find_exactly(written_part(scene != nullptr ? *scene : none, block, facts.rifs, part),
-                         part, bounds, limits);
-    } catch (const exact::NotExact& reason) {
-        facts.exact = nothing_exact(reason.why);
-    }
+    const Scene none;
+    facts.exact = found_exactly(
+        {scene != nullptr ? *scene : none, block, part, places(facts.rifs, part), bounds}, limits);
     const Decided<bool>& open_set = facts.exact.open_set;
     if (!open_set.value) return;
     const OpenSetCondition decided =

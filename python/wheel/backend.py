@@ -49,7 +49,8 @@ def files_of(build):
     for path in sorted((build / "python/pxm").iterdir()):
         if path.suffix in (".py", ".pyi", ".so", ".typed") or path.name == "py.typed":
             yield f"pxm/{path.name}", path
-    yield "pxm/lib/pxm/pxm_openexr.so", build / "lib/pxm/pxm_openexr.so"
+    for module in ("pxm_openexr.so", "pxm_flint.so"):
+        yield f"pxm/lib/pxm/{module}", build / "lib/pxm" / module
     for path in sorted((TOP / "scenes").rglob("*.pxm")):
         if "gallery" not in path.parts:
             yield f"pxm/share/pxm/scenes/{path.relative_to(TOP / 'scenes')}", path

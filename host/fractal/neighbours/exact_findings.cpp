@@ -389,16 +389,6 @@ class Findings {
 
 }  // namespace
 
-ExactFindings nothing_exact(const std::string& why) {
-    ExactFindings found;
-    found.numbers = why;
-    const std::string because = "no exact numbers: " + why;
-    found.finite.why = found.overlaps.why = found.open_set.why = found.connected.why = because;
-    found.totally_disconnected.why = found.hausdorff.why = found.boundary.why = because;
-    found.interior.why = found.volume.why = because;
-    return found;
-}
-
 ExactFindings find_exactly(exact::WrittenMaps written, const Rifs& rifs,
                            const std::vector<Bounds>& bounds, const NeighbourLimits& limits) {
     try {

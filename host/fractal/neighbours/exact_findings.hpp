@@ -60,6 +60,14 @@ struct ExactFindings {
                                          const NeighbourLimits& limits);
 
 /// Nothing decided, for that reason.
-[[nodiscard]] ExactFindings nothing_exact(const std::string& why);
+[[nodiscard]] inline ExactFindings nothing_exact(const std::string& why) {
+    ExactFindings found;
+    found.numbers = why;
+    const std::string because = "no exact numbers: " + why;
+    found.finite.why = found.overlaps.why = found.open_set.why = found.connected.why = because;
+    found.totally_disconnected.why = found.hausdorff.why = found.boundary.why = because;
+    found.interior.why = found.volume.why = because;
+    return found;
+}
 
 }  // namespace pxm::host

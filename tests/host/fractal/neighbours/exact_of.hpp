@@ -9,7 +9,7 @@
 #include "host/fractal/bounds/bounds.hpp"
 #include "host/fractal/neighbours/exact_findings.hpp"
 #include "host/fractal/system/graph_facts.hpp"
-#include "host/inspect/exact_scene.hpp"
+#include "host/flint/exact_scene.hpp"
 #include "host/scene/parse/parser.hpp"
 
 namespace pxm::test {

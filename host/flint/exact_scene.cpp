@@ -1,4 +1,4 @@
-#include "host/inspect/exact_scene.hpp"
+#include "host/flint/exact_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <variant>
 
-#include "host/inspect/exact_expression.hpp"
+#include "host/flint/exact_expression.hpp"
 
 namespace pxm::host {
 

@@ -1,4 +1,4 @@
-#include "host/inspect/exact_expression.hpp"
+#include "host/flint/exact_expression.hpp"
 
 namespace pxm::host {
 
