@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -192,6 +193,30 @@ Complaints check(const std::vector<SourceText>& sources) {
     return complaints;
 }
 
+/// Types that two headers define by one name in one namespace: what the compiler makes of them on
+/// its own, destructors among them, the linker may take from the wrong one.
+Complaints types_defined_twice(const std::vector<SourceText>& sources) {
+    static const std::regex space(R"(^namespace ([\w:]+) \{)");
+    static const std::regex type(
+        R"(^(?:class|struct|enum class|using) (?:alignas\(\d+\) )?(\w+)(?: = .*;|[^;:<]*(:[^:;]*)?\{))");
+    std::map<std::string, std::string> homes;
+    Complaints complaints;
+    for (const SourceText& source : sources) {
+        if (!source.path.ends_with(".hpp") || room(source.path) == "tests") continue;
+        std::istringstream lines(source.text);
+        std::string current, line;
+        for (std::smatch found; std::getline(lines, line);) {
+            if (std::regex_search(line, found, space)) current = found[1];
+            if (!std::regex_search(line, found, type)) continue;
+            const std::string name = current + "::" + found[1].str();
+            const auto [home, is_new] = homes.emplace(name, source.path);
+            if (!is_new)
+                complaints.push_back(source.path + ": " + name + " is defined in " + home->second);
+        }
+    }
+    return complaints;
+}
+
 constexpr int most_lines = 60;
 constexpr int most_parameters = 5;  // of the rooms below: beyond, a struct says what they are
 
@@ -252,6 +277,17 @@ TEST(Architecture, the_tree_obeys) {
     const auto sources = sources_of_the_tree();
     ASSERT_GT(sources.size(), 10U);
     EXPECT_THAT(check(sources), IsEmpty());
+}
+
+TEST(Architecture, a_type_is_defined_once) {
+    EXPECT_THAT(types_defined_twice(sources_of_the_tree()), IsEmpty());
+    const SourceText one{"host/a.hpp", "namespace pxm::host {\nstruct A {\n};\n"};
+    const SourceText other{"host/b.hpp", "namespace pxm::host {\nclass A : public B {\n};\n"};
+    const SourceText another{"pxm/b.hpp", "namespace pxm {\nstruct A {\n};\n"};
+    const SourceText said{"host/c.hpp", "namespace pxm::host {\nstruct A;\n"};
+    EXPECT_THAT(types_defined_twice({one, said, another}), IsEmpty());
+    EXPECT_THAT(types_defined_twice({one, other}),
+                ElementsAre("host/b.hpp: pxm::host::A is defined in host/a.hpp"));
 }
 
 TEST(Architecture, nothing_points_back) {

@@ -57,7 +57,7 @@ int visits_of(ExportFormat format) {
     }
 }
 
-void require_room(const ExportScene& scene, const Tally& tally, ExportFormat format) {
+void require_room(const ExportScene& scene, const CellTally& tally, ExportFormat format) {
     if (format == ExportFormat::ply) require_ply(tally);
     if (format == ExportFormat::stl) require_stl(tally);
     if (format == ExportFormat::gltf) require_gltf(scene, tally, false);
@@ -67,7 +67,7 @@ void require_room(const ExportScene& scene, const Tally& tally, ExportFormat for
                     "the cells are too small, or too far from the origin, for the floats of USD");
 }
 
-std::string summary(const Tally& tally, const std::string& path) {
+std::string summary(const CellTally& tally, const std::string& path) {
     const glm::dvec3 size = tally.high - tally.low;
     return fmt::format("{}: {} cells of {} triangles in all, {:.6g} x {:.6g} x {:.6g}\n",
                        printable_path(path), tally.cells, tally.triangles, size.x, size.y, size.z);
@@ -76,13 +76,13 @@ std::string summary(const Tally& tally, const std::string& path) {
 std::string write_cells(const ExportScene& scene, ExportFormat format, const std::string& path,
                         const std::string& data, const std::string& title, Progress& progress,
                         const std::atomic<bool>& stop) {
-    const Tally forecasted = forecast(scene);
+    const CellTally forecasted = forecast(scene);
     if (format == ExportFormat::ply) require_ply(forecasted);
     if (format == ExportFormat::stl) require_stl(forecasted);
     if (format == ExportFormat::glb) require_instances(forecasted);
     Watch counting(progress, stop);
     counting.expect(forecasted.cells);
-    const Tally tally = tally_of(scene, counting);
+    const CellTally tally = tally_of(scene, counting);
     require_room(scene, tally, format);
     Watch watch(progress, stop);
     watch.expect(tally.cells * static_cast<std::uint64_t>(visits_of(format)));

@@ -2,7 +2,7 @@
 
 namespace pxm::host {
 
-GltfLayout gltf_layout(const ExportScene& scene, const Tally& tally) {
+GltfLayout gltf_layout(const ExportScene& scene, const CellTally& tally) {
     constexpr std::uint64_t vec3 = 12, vec4 = 16, index = 4, rgba = 4;  // bytes
     GltfLayout layout;
     const auto place = [&](std::uint64_t bytes) {

@@ -34,6 +34,6 @@ struct GltfLayout {
     std::uint64_t bytes = 0;
 };
 
-[[nodiscard]] GltfLayout gltf_layout(const ExportScene& scene, const Tally& tally);
+[[nodiscard]] GltfLayout gltf_layout(const ExportScene& scene, const CellTally& tally);
 
 }  // namespace pxm::host

@@ -119,7 +119,7 @@ Counts by_levels(const ExportSystem& system) {
 
 double cells_by_levels(const ExportSystem& system) { return by_levels(system).cells; }
 
-Tally forecast(const ExportScene& scene) {
+CellTally forecast(const ExportScene& scene) {
     Counts all;
     for (const ExportSystem& system : scene.systems) {
         if (system.detail > 0 && !system.maps.empty()) return {};
@@ -129,15 +129,15 @@ Tally forecast(const ExportScene& scene) {
         constexpr auto most = std::numeric_limits<std::uint64_t>::max();
         return count < 1e19 ? static_cast<std::uint64_t>(count) : most;
     };
-    Tally tally;
+    CellTally tally;
     tally.cells = whole(all.cells);
     tally.vertices = whole(all.vertices);
     tally.triangles = whole(all.triangles);
     return tally;
 }
 
-Tally tally_of(const ExportScene& scene, Watch& watch) {
-    Tally tally;
+CellTally tally_of(const ExportScene& scene, Watch& watch) {
+    CellTally tally;
     double count = 0;
     tally.low = glm::dvec3{std::numeric_limits<double>::infinity()};
     tally.high = -tally.low;

@@ -48,7 +48,7 @@ struct SetTally {
     glm::dvec3 high{0.0};
 };
 
-struct Tally {
+struct CellTally {
     std::vector<std::vector<SetTally>> systems;  // as those of the scene, and their sets
     std::uint64_t cells = 0;
     std::uint64_t vertices = 0;
@@ -62,7 +62,7 @@ struct Tally {
 
 /// How many cells, vertices and triangles there are, without a visit. All 0 where words end at a
 /// length, which nobody knows before; largest numbers where there are more.
-[[nodiscard]] Tally forecast(const ExportScene& scene);
+[[nodiscard]] CellTally forecast(const ExportScene& scene);
 
 inline constexpr double most_cells = 1e9;  // of a file
 
@@ -72,7 +72,7 @@ inline constexpr double most_cells = 1e9;  // of a file
 
 /// Visits every cell once. Throws Error(ErrorKind::scene) where words do not end, and
 /// Error(ErrorKind::setting) if there are more than most_cells.
-[[nodiscard]] Tally tally_of(const ExportScene& scene, Watch& watch);
+[[nodiscard]] CellTally tally_of(const ExportScene& scene, Watch& watch);
 
 /// Calls visit(system, cell) for each cell of every object, with its numbers.
 template <class Visit>

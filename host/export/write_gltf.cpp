@@ -141,7 +141,7 @@ std::string padded_json(const ExportJob& job) {
 
 }  // namespace
 
-void require_instances(const Tally& tally) {
+void require_instances(const CellTally& tally) {
     constexpr std::uint64_t least_bytes = 24;  // a translation and a scale
     constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
     if (tally.cells > most / least_bytes)
@@ -149,7 +149,7 @@ void require_instances(const Tally& tally) {
                     "too many cells: a .glb holds 4 GiB at most; --format gltf holds more");
 }
 
-void require_gltf(const ExportScene& scene, const Tally& tally, bool is_glb) {
+void require_gltf(const ExportScene& scene, const CellTally& tally, bool is_glb) {
     constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
     constexpr std::uint64_t room = 16'000'000;  // for the JSON
     const GltfLayout layout = gltf_layout(scene, tally);

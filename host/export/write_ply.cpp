@@ -27,7 +27,7 @@ std::string header(const ExportJob& job) {
 
 }  // namespace
 
-void require_ply(const Tally& tally) {
+void require_ply(const CellTally& tally) {
     if (tally.vertices <= std::numeric_limits<std::uint32_t>::max()) return;
     throw Error(
         ErrorKind::setting,

@@ -29,7 +29,7 @@ void put_triangle(Sink& sink, const glm::dvec3& a, const glm::dvec3& b, const gl
 
 }  // namespace
 
-void require_stl(const Tally& tally) {
+void require_stl(const CellTally& tally) {
     if (tally.triangles > std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorKind::setting,
                     fmt::format("too many triangles: STL counts to {}; fewer --levels",

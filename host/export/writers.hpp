@@ -14,7 +14,7 @@ namespace pxm::host {
 
 struct ExportJob {
     const ExportScene& scene;
-    const Tally& tally;
+    const CellTally& tally;
     Watch& watch;
     std::string title;  // for a comment: one line
 };
@@ -26,23 +26,23 @@ inline constexpr int usda_visits = 5;
 
 /// Polygons, corners as numbers of 32 bits; sRGB bytes a vertex.
 void write_ply_mesh(const ExportJob& job, CheckedFile& file);
-void require_ply(const Tally& tally);
+void require_ply(const CellTally& tally);
 
 /// Text; colours behind the coordinates where cells differ in colour.
 void write_obj(const ExportJob& job, CheckedFile& file);
 
 /// Binary, triangles.
 void write_stl(const ExportJob& job, CheckedFile& file);
-void require_stl(const Tally& tally);
+void require_stl(const CellTally& tally);
 
 /// Instances (EXT_mesh_gpu_instancing) of the sets' shapes, geometry where cells are sheared.
 /// `data` is the name of the file beside a .gltf; a .glb has none and holds everything.
 [[nodiscard]] std::string gltf_json(const ExportJob& job, const std::string& data);
 void write_gltf_data(const ExportJob& job, CheckedFile& file);
 void write_glb(const ExportJob& job, CheckedFile& file);
-void require_gltf(const ExportScene& scene, const Tally& tally, bool is_glb);
+void require_gltf(const ExportScene& scene, const CellTally& tally, bool is_glb);
 /// The same of a .glb as far as the number of cells says it.
-void require_instances(const Tally& tally);
+void require_instances(const CellTally& tally);
 
 /// A PointInstancer a shape, a prim a cell where cells are sheared.
 void write_usda(const ExportJob& job, CheckedFile& file);

@@ -118,7 +118,7 @@ IfsBlock block_of(const MomentResult& result) {
     return block;
 }
 
-Imported import_picture(const ImportRequest& request, const Picture& picture) {
+Imported import_picture(const ImportRequest& request, const PlaneMeasure& picture) {
     MomentRequest search{request.maps, request.seed, request.seconds, picture.finest, request.stop};
     const MomentResult result = search_moments(picture.points, search);
     if (result.maps.empty())
@@ -208,7 +208,7 @@ Imported import_file(const ImportRequest& request) {
         return import_picture(request, read_points(path, read_file(path)));
     require_picture(path, extension);
     // The image is let go before the search: its points are all that is kept.
-    const Picture picture = picture_of(read_image(path, {"R", "G", "B", "A", "Y"}));
+    const PlaneMeasure picture = picture_of(read_image(path, {"R", "G", "B", "A", "Y"}));
     return import_picture(request, picture);
 }
 

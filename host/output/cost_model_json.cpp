@@ -12,8 +12,6 @@ namespace pxm::host {
 
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::size_t longest_file_bytes = 1'000'000;
 constexpr double largest_cost = 1e6;  // cycles; keeps every sum exact enough to be a whole number
 
@@ -26,13 +24,14 @@ class Reader {
         throw Error(ErrorKind::setting, fmt::format("--cost-model {}: {}", path_, what));
     }
 
-    [[nodiscard]] const Json& object(const Json& json, const std::string& place) const {
+    [[nodiscard]] const nlohmann::json& object(const nlohmann::json& json,
+                                               const std::string& place) const {
         if (!json.is_object()) refuse(fmt::format("{} is not an object", place));
         return json;
     }
 
     /// Every key of the object is one of `known`.
-    void only(const Json& json, const std::string& place, const auto& known) const {
+    void only(const nlohmann::json& json, const std::string& place, const auto& known) const {
         for (const auto& [key, value] : json.items()) {
             if (std::ranges::find(known, key) == std::ranges::end(known)) {
                 refuse(fmt::format("unknown entry \"{}\" in {}", key, place));
@@ -40,14 +39,15 @@ class Reader {
         }
     }
 
-    [[nodiscard]] const Json& entry(const Json& json, const std::string& key,
-                                    const std::string& place) const {
+    [[nodiscard]] const nlohmann::json& entry(const nlohmann::json& json, const std::string& key,
+                                              const std::string& place) const {
         if (!json.contains(key)) refuse(fmt::format("{} has no entry \"{}\"", place, key));
         return json.at(key);
     }
 
     /// A number from 0 to `most`.
-    [[nodiscard]] double number(const Json& json, const std::string& place, double most) const {
+    [[nodiscard]] double number(const nlohmann::json& json, const std::string& place,
+                                double most) const {
         if (!json.is_number()) refuse(fmt::format("{} is not a number", place));
         const double value = json.get<double>();
         if (!(value >= 0)) refuse(fmt::format("{} is negative: {}", place, value));
@@ -63,10 +63,12 @@ constexpr std::array<std::string_view, 3> top_keys{"plain_share", "compiled_code
                                                    "operations"};
 constexpr std::array<std::string_view, 2> cost_keys{"tight", "plain"};
 
-OperationCost read_cost(const Reader& reader, const Json& operations, std::string_view name) {
+OperationCost read_cost(const Reader& reader, const nlohmann::json& operations,
+                        std::string_view name) {
     const std::string key(name);
     const std::string place = fmt::format("operation \"{}\"", key);
-    const Json& cost = reader.object(reader.entry(operations, key, "\"operations\""), place);
+    const nlohmann::json& cost =
+        reader.object(reader.entry(operations, key, "\"operations\""), place);
     reader.only(cost, place, cost_keys);
     const auto column = [&](const char* which) {
         return reader.number(reader.entry(cost, which, place),
@@ -86,10 +88,10 @@ std::string text_of(const std::string& path) {
 
 CostModel parse_cost_model(const std::string& text, const std::string& path) {
     const Reader reader(path);
-    Json json;
+    nlohmann::json json;
     try {
-        json = Json::parse(text);
-    } catch (const Json::exception& error) {
+        json = nlohmann::json::parse(text);
+    } catch (const nlohmann::json::exception& error) {
         reader.refuse(fmt::format("not JSON: {}", error.what()));
     }
     const std::string whole = "the file";
@@ -100,7 +102,7 @@ CostModel parse_cost_model(const std::string& text, const std::string& path) {
     };
     optional("plain_share", 1, model.table.plain_share);
     optional("compiled_code_factor", 1000, model.table.compiled_code_factor);
-    const Json& operations =
+    const nlohmann::json& operations =
         reader.object(reader.entry(json, "operations", whole), "\"operations\"");
     reader.only(operations, "\"operations\"", operation_names);
     for (std::size_t i = 0; i < operation_count; ++i) {

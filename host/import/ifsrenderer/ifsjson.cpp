@@ -29,8 +29,6 @@
 namespace pxm::host {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::size_t most_bytes = std::size_t{16} << 20U;
 constexpr int deepest = 32;                    // brackets inside one another
 constexpr std::size_t most_iterators = 1'000;  // the program itself takes 100
@@ -44,7 +42,7 @@ struct Reader {
         throw Error(ErrorKind::scene, fmt::format("{}: {}", printable_path(source.name), message));
     }
     /// The number of that name; nothing if it is not there. What is no finite number is refused.
-    [[nodiscard]] double number(const Json& object, const char* name, double otherwise,
+    [[nodiscard]] double number(const nlohmann::json& object, const char* name, double otherwise,
                                 const std::string& what) const {
         const auto found = object.find(name);
         if (found == object.end() || found->is_null()) return otherwise;
@@ -52,7 +50,7 @@ struct Reader {
             refuse(fmt::format("{}: {} is no number", what, name));
         return found->get<double>();
     }
-    [[nodiscard]] glm::dvec3 vector(const Json& object, const char* name,
+    [[nodiscard]] glm::dvec3 vector(const nlohmann::json& object, const char* name,
                                     const glm::dvec3& otherwise, const std::string& what) const {
         const auto found = object.find(name);
         if (found == object.end() || found->is_null()) return otherwise;
@@ -62,26 +60,26 @@ struct Reader {
     }
 };
 
-Json parsed(const Reader& reader) {
+nlohmann::json parsed(const Reader& reader) {
     std::string_view text = reader.source.text;
     if (text.size() > most_bytes) reader.refuse(fmt::format("more than {} MB", most_bytes >> 20U));
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     bool too_deep = false;
-    const auto bounded = [&](int depth, Json::parse_event_t, Json&) {
+    const auto bounded = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
         too_deep = too_deep || depth > deepest;
         return !too_deep;
     };
     try {
-        Json json = Json::parse(text.begin(), text.end(), bounded);
+        nlohmann::json json = nlohmann::json::parse(text.begin(), text.end(), bounded);
         if (too_deep) reader.refuse(fmt::format("JSON of more than {} levels", deepest));
         if (!json.is_object() || !json.contains("Iterators") || !json["Iterators"].is_array())
             reader.refuse("no file of IFSRenderer: expected an object with \"Iterators\"");
         return json;
-    } catch (const Json::parse_error& error) {
+    } catch (const nlohmann::json::parse_error& error) {
         const std::size_t at = std::min(error.byte, text.size());
         const auto line = std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
         reader.refuse(fmt::format("line {}: JSON that cannot be read", line + 1));
-    } catch (const Json::exception&) {
+    } catch (const nlohmann::json::exception&) {
         reader.refuse("JSON with a number that is too large");
     }
 }
@@ -107,8 +105,9 @@ glm::dmat3 euler(const glm::dvec3& degrees) {
 }
 
 /// The transform of that name, if it is affine.
-std::optional<Affine> affine(const std::string& name, const Json& reals, const Json& vectors,
-                             const Reader& reader, const std::string& what) {
+std::optional<Affine> affine(const std::string& name, const nlohmann::json& reals,
+                             const nlohmann::json& vectors, const Reader& reader,
+                             const std::string& what) {
     const auto vector = [&](const char* key, const glm::dvec3& otherwise) {
         return reader.vector(vectors, key, otherwise, what);
     };
@@ -143,7 +142,7 @@ struct Iterator {
 };
 
 /// The name of a transform: {"Item1": name, "Item2": version}, or older {"Name": ...}.
-std::string transform_name(const Json& iterator) {
+std::string transform_name(const nlohmann::json& iterator) {
     const auto transform = iterator.find("Transform");
     if (transform == iterator.end() || !transform->is_object()) return "";
     for (const char* key : {"Item1", "Name"})
@@ -152,13 +151,13 @@ std::string transform_name(const Json& iterator) {
     return "";
 }
 
-const Json& part(const Json& object, const char* name) {
-    static const Json nothing = Json::object();
+const nlohmann::json& part(const nlohmann::json& object, const char* name) {
+    static const nlohmann::json nothing = nlohmann::json::object();
     const auto found = object.find(name);
     return found != object.end() && found->is_object() ? *found : nothing;
 }
 
-Iterator iterator_of(const Json& json, std::size_t number, const Reader& reader) {
+Iterator iterator_of(const nlohmann::json& json, std::size_t number, const Reader& reader) {
     const std::string what = fmt::format("iterator {}", number);
     if (!json.is_object()) reader.refuse(what + ": expected an object");
     const std::string name = transform_name(json);
@@ -185,14 +184,14 @@ Iterator iterator_of(const Json& json, std::size_t number, const Reader& reader)
 using Table = std::vector<std::vector<double>>;
 
 /// "xaos": how likely each iterator is to come after each; all ones if it is not there.
-Table table_of(const Json& json, std::size_t count, const Reader& reader) {
+Table table_of(const nlohmann::json& json, std::size_t count, const Reader& reader) {
     Table table(count, std::vector<double>(count, 1));
     const auto found = json.find("xaos");
     if (found == json.end() || found->is_null()) return table;
     if (!found->is_array() || found->size() != count)
         reader.refuse(fmt::format("xaos: expected {} rows", count));
     for (std::size_t i = 0; i < count; ++i) {
-        const Json& row = (*found)[i];
+        const nlohmann::json& row = (*found)[i];
         if (!row.is_array() || row.size() != count)
             reader.refuse(fmt::format("xaos, row {}: expected {} numbers", i + 1, count));
         for (std::size_t j = 0; j < count; ++j) {
@@ -206,7 +205,8 @@ Table table_of(const Json& json, std::size_t count, const Reader& reader) {
 }
 
 /// The colour at a place of the palette, its colours lying evenly from 0 to 1.
-std::optional<glm::dvec3> palette_color(const Json& json, double place, const Reader& reader) {
+std::optional<glm::dvec3> palette_color(const nlohmann::json& json, double place,
+                                        const Reader& reader) {
     const auto colors = part(json, "Palette").find("Colors");
     if (colors == part(json, "Palette").end() || !colors->is_array() || colors->empty())
         return std::nullopt;
@@ -214,7 +214,7 @@ std::optional<glm::dvec3> palette_color(const Json& json, double place, const Re
     const auto low = static_cast<std::size_t>(at);
     const std::size_t high = std::min(low + 1, colors->size() - 1);
     const auto color = [&](std::size_t i) {
-        const Json& c = (*colors)[i];
+        const nlohmann::json& c = (*colors)[i];
         if (!c.is_object()) reader.refuse("Palette: expected colours of X, Y and Z");
         const glm::dvec3 rgb{reader.number(c, "X", 0, "Palette"),
                              reader.number(c, "Y", 0, "Palette"),
@@ -232,10 +232,10 @@ std::optional<glm::dvec3> palette_color(const Json& json, double place, const Re
 
 class SceneWriter {
   public:
-    SceneWriter(const Json& json, const Reader& reader) : json_(json), reader_(reader) {}
+    SceneWriter(const nlohmann::json& json, const Reader& reader) : json_(json), reader_(reader) {}
 
     Scene scene(const std::string& name) {
-        const Json& list = json_["Iterators"];
+        const nlohmann::json& list = json_["Iterators"];
         if (list.size() > most_iterators)
             reader_.refuse(fmt::format("more than {} iterators", most_iterators));
         for (std::size_t i = 0; i < list.size(); ++i) {
@@ -294,9 +294,9 @@ class SceneWriter {
     /// The camera stands at its position and looks along z, turned by the quaternion; its angle is
     /// that across the picture. Its axes are a scene's: x to the right, y up, z away.
     void write_view(Scene& scene) const {
-        const Json& camera = part(json_, "Camera");
+        const nlohmann::json& camera = part(json_, "Camera");
         if (camera.empty()) return;
-        const Json& q = part(camera, "Orientation");
+        const nlohmann::json& q = part(camera, "Orientation");
         const auto component = [&](const char* key, double otherwise) {
             return reader_.number(q, key, otherwise, "Orientation");
         };
@@ -340,7 +340,7 @@ class SceneWriter {
         scene.image = image;
     }
 
-    const Json& json_;
+    const nlohmann::json& json_;
     const Reader& reader_;
     std::vector<Iterator> iterators_;
     Table table_;
@@ -351,7 +351,7 @@ class SceneWriter {
 
 Imported import_ifsjson(const SourceFile& source) {
     const Reader reader{source};
-    const Json json = parsed(reader);
+    const nlohmann::json json = parsed(reader);
     std::string name = bare_name(source.name);
     if (const auto title = json.find("Title");
         title != json.end() && title->is_string() && !title->get<std::string>().empty())

@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 
 class SystemBuilder {
   public:
-    SystemBuilder(const Lsystem& lsystem, const Grammar& grammar, const Growth& growth)
+    SystemBuilder(const Lsystem& lsystem, const Grammar& grammar, const LsystemGrowth& growth)
         : lsystem_(lsystem), grammar_(grammar), growth_(growth) {}
 
     EdgeSystem build() {
@@ -168,7 +168,7 @@ class SystemBuilder {
 
     const Lsystem& lsystem_;
     const Grammar& grammar_;
-    const Growth& growth_;
+    const LsystemGrowth& growth_;
     EdgeSystem system_;
     std::size_t first_symbol_ = 0;
     std::size_t count_ = 0;
@@ -228,7 +228,7 @@ Similarity then(const Similarity& first, const Similarity& second) {
 
 EdgeSystem edge_system(const Lsystem& lsystem) {
     const Grammar grammar = grammar_of(lsystem);
-    const Growth growth = find_growth(grammar, lsystem.name);
+    const LsystemGrowth growth = find_growth(grammar, lsystem.name);
     return SystemBuilder(lsystem, grammar, growth).build();
 }
 

@@ -43,10 +43,10 @@ class GrowthSearch {
         }
     }
 
-    Growth find() {
+    LsystemGrowth find() {
         const int most_levels = begin();
         int next_look = first_looked_at;
-        std::optional<Growth> growth;
+        std::optional<LsystemGrowth> growth;
         while (!growth && levels_ < most_levels && decided()) {
             while (levels_ < next_look && decided()) advance();
             next_look += next_look / 8;
@@ -155,7 +155,7 @@ class GrowthSearch {
         return std::nullopt;
     }
 
-    std::optional<Growth> try_periods(double tolerance) {
+    std::optional<LsystemGrowth> try_periods(double tolerance) {
         const int turns = period_of_turns().value_or(longest_period + 1);
         for (int period = turns; period <= longest_period; period += turns) {
             if (const auto growth = try_period(period, tolerance)) return growth;
@@ -164,7 +164,7 @@ class GrowthSearch {
     }
 
     /// The displacements of the last level as multiples of those `period` levels before.
-    std::optional<Growth> try_period(int period, double tolerance) {
+    std::optional<LsystemGrowth> try_period(int period, double tolerance) {
         const Level& now = back(0);
         const Level& before = back(period);
         std::size_t longest = 0;
@@ -198,8 +198,8 @@ class GrowthSearch {
                                                                                  : length;
     }
 
-    [[nodiscard]] Growth phases(int period, Complex ratio) const {
-        Growth growth;
+    [[nodiscard]] LsystemGrowth phases(int period, Complex ratio) const {
+        LsystemGrowth growth;
         growth.factor = root(ratio, period);
         Complex scale{1.0};
         const int first = period + levels_ % period;  // a level whose number is a multiple
@@ -227,7 +227,7 @@ class GrowthSearch {
 
 }  // namespace
 
-Growth find_growth(const Grammar& grammar, const std::string& name) {
+LsystemGrowth find_growth(const Grammar& grammar, const std::string& name) {
     return GrowthSearch(grammar, name).find();
 }
 

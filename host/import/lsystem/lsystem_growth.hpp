@@ -64,12 +64,12 @@ struct Level {
 
 /// The levels of one period, once the rules repeat: phases[k] is level n0 + k, n0 a
 /// multiple of the period.
-struct Growth {
+struct LsystemGrowth {
     std::vector<Level> phases;         // as of a limit (see `factor`), the longest of the first 1
     std::complex<double> factor{1.0};  // of all lengths from one level to the next
 };
 
 /// Throws Error(ErrorKind::scene) with the reason if lengths do not settle to a common growth.
-[[nodiscard]] Growth find_growth(const Grammar& grammar, const std::string& name);
+[[nodiscard]] LsystemGrowth find_growth(const Grammar& grammar, const std::string& name);
 
 }  // namespace pxm::host

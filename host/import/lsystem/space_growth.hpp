@@ -49,7 +49,8 @@ class SpaceTurns {
 [[nodiscard]] std::vector<SpaceOccurrence> space_occurrences(
     const std::vector<TurtleCommand>& commands, const SpaceTurns& turns, const SpaceLevel& level);
 
-/// The levels of one period, as Growth has them; all lengths grow by `factor`, and do not turn.
+/// The levels of one period, as LsystemGrowth has them; all lengths grow by `factor`, and do not
+/// turn.
 struct SpaceGrowth {
     std::vector<SpaceLevel> phases;
     double factor = 1;

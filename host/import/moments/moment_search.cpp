@@ -31,7 +31,7 @@ struct Frame2 {
 };
 
 Frame2 frame_of(std::span<const WeightedPoint> points) {
-    const Moments mean = moments_of(points, 1);
+    const PlaneMoments mean = moments_of(points, 1);
     Frame2 frame{mean[moment_index(1, 0)], mean[moment_index(0, 1)], 0};
     for (const WeightedPoint& p : points)
         frame.unit = std::max({frame.unit, std::abs(p.x - frame.x), std::abs(p.y - frame.y)});
@@ -74,7 +74,7 @@ class Objective {
   public:
     Objective(std::span<const WeightedPoint> points, int order)
         : order_(order), target_(moments_of(points, order)) {
-        const Moments spread = moments_of(points, 2 * order);
+        const PlaneMoments spread = moments_of(points, 2 * order);
         for (int n = 0; n <= order; ++n)
             for (int i = n; i >= 0; --i)
                 scale_.push_back(
@@ -88,7 +88,7 @@ class Objective {
         const auto maps = maps_of(parameters);
         for (const PlaneMap& map : maps)
             if (!(map.lipschitz() < most_lipschitz)) return std::nullopt;
-        const Moments g = invariant_moments(maps, determinant_weights(maps), order_);
+        const PlaneMoments g = invariant_moments(maps, determinant_weights(maps), order_);
         Vector r(size());
         for (Eigen::Index m = 0; m < r.size(); ++m) {
             const auto k = static_cast<std::size_t>(m);
@@ -119,7 +119,7 @@ class Objective {
 
   private:
     int order_;
-    Moments target_;
+    PlaneMoments target_;
     std::vector<double> scale_;
 };
 

@@ -8,7 +8,7 @@
 namespace pxm::host {
 namespace {
 
-/// A polynomial in x and y: coefficients in the order of Moments.
+/// A polynomial in x and y: coefficients in the order of PlaneMoments.
 using Polynomial = std::vector<double>;
 
 /// p (u x + v y + w), p of that degree.
@@ -26,7 +26,7 @@ Polynomial times(const Polynomial& p, int degree, double u, double v, double w) 
     return product;
 }
 
-/// The polynomials x'^i y'^j of degree n, from those of degree n - 1, in the order of Moments.
+/// The polynomials x'^i y'^j of degree n, from those of degree n - 1, in the order of PlaneMoments.
 std::vector<Polynomial> next_powers(const std::vector<Polynomial>& powers, int n,
                                     const PlaneMap& w) {
     std::vector<Polynomial> next;
@@ -43,8 +43,8 @@ double PlaneMap::lipschitz() const {
     return std::sqrt((squares + std::sqrt(std::max(0.0, squares * squares - 4 * det * det))) / 2);
 }
 
-Moments moments_of(std::span<const WeightedPoint> points, int order) {
-    Moments g(moment_count(order), 0.0);
+PlaneMoments moments_of(std::span<const WeightedPoint> points, int order) {
+    PlaneMoments g(moment_count(order), 0.0);
     for (const WeightedPoint& p : points) {
         double column = p.weight;  // weight x^i
         for (int i = 0; i <= order; ++i, column *= p.x) {
@@ -69,9 +69,9 @@ std::vector<double> determinant_weights(std::span<const PlaneMap> maps) {
     return weights;
 }
 
-Moments invariant_moments(std::span<const PlaneMap> maps, std::span<const double> weights,
-                          int order) {
-    Moments g(moment_count(order), 0.0);
+PlaneMoments invariant_moments(std::span<const PlaneMap> maps, std::span<const double> weights,
+                               int order) {
+    PlaneMoments g(moment_count(order), 0.0);
     g[0] = 1;
     std::vector<std::vector<Polynomial>> powers(maps.size(), {Polynomial{1.0}});
     for (int n = 1; n <= order; ++n) {

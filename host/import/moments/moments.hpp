@@ -22,7 +22,7 @@ struct WeightedPoint {
 };
 
 /// Moments g_ij with i + j <= order, by rising degree, g_d0 before g_0d.
-using Moments = std::vector<double>;
+using PlaneMoments = std::vector<double>;
 
 [[nodiscard]] constexpr std::size_t moment_count(int order) {
     return static_cast<std::size_t>((order + 1) * (order + 2) / 2);
@@ -32,13 +32,13 @@ using Moments = std::vector<double>;
 }
 
 /// Moments of the points as a measure of mass 1. Precondition: the weights' sum is positive.
-[[nodiscard]] Moments moments_of(std::span<const WeightedPoint> points, int order);
+[[nodiscard]] PlaneMoments moments_of(std::span<const WeightedPoint> points, int order);
 
 /// Weights by |det| (Erratum 17), with a floor so that no map is starved; their sum is 1.
 [[nodiscard]] std::vector<double> determinant_weights(std::span<const PlaneMap> maps);
 
 /// Moments of the measure with mu = sum of weights[k] mu(w_k^-1). Precondition: the maps contract.
-[[nodiscard]] Moments invariant_moments(std::span<const PlaneMap> maps,
-                                        std::span<const double> weights, int order);
+[[nodiscard]] PlaneMoments invariant_moments(std::span<const PlaneMap> maps,
+                                             std::span<const double> weights, int order);
 
 }  // namespace pxm::host

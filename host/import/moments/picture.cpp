@@ -49,7 +49,7 @@ double border_of(const LoadedImage& image, const std::vector<double>& grey) {
 
 }  // namespace
 
-Picture picture_of(const LoadedImage& image) {
+PlaneMeasure picture_of(const LoadedImage& image) {
     constexpr double background = 0.25;  // of the largest ink: less is none
     if (image.width <= 0 || image.height <= 0 || image.channels.empty())
         throw Error(ErrorKind::scene, "nothing to import: the image is empty");
@@ -63,7 +63,7 @@ Picture picture_of(const LoadedImage& image) {
     if (!(most > 1.0 / 255)) throw Error(ErrorKind::scene, "nothing to import: the image is blank");
     const double unit = 2.0 / std::max(image.width, image.height);
     const auto width = static_cast<std::size_t>(image.width);
-    Picture picture;
+    PlaneMeasure picture;
     picture.finest = unit;
     const auto is_ink = [&](double value) { return value >= background * most; };
     picture.points.reserve(static_cast<std::size_t>(std::ranges::count_if(ink, is_ink)));
@@ -76,8 +76,8 @@ Picture picture_of(const LoadedImage& image) {
     return picture;
 }
 
-Picture read_points(const std::string& name, const std::string& text) {
-    Picture picture;
+PlaneMeasure read_points(const std::string& name, const std::string& text) {
+    PlaneMeasure picture;
     Position place;
     Diagnostics diagnostics;
     for (std::size_t begin = 0; begin < text.size() && !diagnostics.full(); ++place.line) {

@@ -16,7 +16,7 @@ namespace {
 double real(const Json& json, const char* key) { return json.at(key).get<double>(); }
 std::string text(const Json& json, const char* key) { return json.at(key).get<std::string>(); }
 
-std::string exact(const Json& json, const char* key) {
+std::string as_written(const Json& json, const char* key) {
     const Json& value = json.at(key);
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
@@ -96,7 +96,7 @@ std::string sorted_bars(const Json& scene) {
         plot.bars.push_back(
             {real(node, "cycles"),
              fmt::format("node {},{}\n{} cycles\n{} pixels, {} volumes tested",
-                         exact(node, "column"), exact(node, "row"),
+                         as_written(node, "column"), as_written(node, "row"),
                          number_text(real(node, "cycles")), number_text(real(node, "pixels")),
                          number_text(real(node, "volumes_tested")))});
     }
@@ -172,19 +172,20 @@ std::vector<TextFile> balance_tables(const Json& data) {
                      {}};
     for (const Json& s : data["scenes"]) {
         const std::string name = text(s, "scene");
-        scenes.rows.push_back({name, exact(s, "model"), exact(s, "numeric"), s["size"][0].dump(),
-                               s["size"][1].dump(), exact(s, "hits"), exact(s, "cycles"),
-                               exact(s, "predicted_seconds"), exact(s, "efficiency"),
-                               exact(s, "speed_up")});
+        scenes.rows.push_back({name, as_written(s, "model"), as_written(s, "numeric"),
+                               s["size"][0].dump(), s["size"][1].dump(), as_written(s, "hits"),
+                               as_written(s, "cycles"), as_written(s, "predicted_seconds"),
+                               as_written(s, "efficiency"), as_written(s, "speed_up")});
         for (const Json& n : s["nodes"]) {
-            nodes.rows.push_back({name, exact(n, "id"), exact(n, "column"), exact(n, "row"),
-                                  exact(n, "pixels"), exact(n, "rays"), exact(n, "volumes_tested"),
-                                  exact(n, "heap_peak"), exact(n, "cycles")});
+            nodes.rows.push_back({name, as_written(n, "id"), as_written(n, "column"),
+                                  as_written(n, "row"), as_written(n, "pixels"),
+                                  as_written(n, "rays"), as_written(n, "volumes_tested"),
+                                  as_written(n, "heap_peak"), as_written(n, "cycles")});
         }
         for (const Json& c : s["curve"]) {
-            curves.rows.push_back({name, exact(c, "partition"), exact(c, "nodes"),
-                                   exact(c, "efficiency"), exact(c, "predicted_seconds"),
-                                   exact(c, "speed_up"), exact(c, "overhead_share")});
+            curves.rows.push_back({name, as_written(c, "partition"), as_written(c, "nodes"),
+                                   as_written(c, "efficiency"), as_written(c, "predicted_seconds"),
+                                   as_written(c, "speed_up"), as_written(c, "overhead_share")});
         }
     }
     return {{"scenes.csv", csv_of(scenes)},

@@ -48,7 +48,7 @@ class ImportedPictures : public testing::TestWithParam<Shown> {};
 TEST_P(ImportedPictures, fill_the_view_as_they_should) {
     const Shown& shown = GetParam();
     const Frame frame = rendered(shown.file, shown.entry, 160, 120);
-    const Picture picture = picture_of(image_of(frame));
+    const PlaneMeasure picture = picture_of(image_of(frame));
     const double share = static_cast<double>(picture.points.size()) / (160.0 * 120.0);
     EXPECT_GE(share, shown.least) << shown.entry;
     EXPECT_LE(share, shown.most) << shown.entry;
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Classics, ImportedPictures,
 
 /// What is found in the picture of an entry; its picture's width is 2.
 MomentResult found(const std::string& entry, int maps) {
-    const Picture picture = picture_of(image_of(rendered("classic.ifs", entry, 256, 192)));
+    const PlaneMeasure picture = picture_of(image_of(rendered("classic.ifs", entry, 256, 192)));
     MomentRequest request;
     request.maps = maps;
     request.finest = picture.finest;

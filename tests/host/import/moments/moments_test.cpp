@@ -46,7 +46,7 @@ TEST(Moments, are_in_the_order_of_rising_degree) {
 TEST(Moments, of_the_unit_square_are_known) {
     const std::vector<PlaneMap> square{
         {.5, 0, 0, .5, 0, 0}, {.5, 0, 0, .5, .5, 0}, {.5, 0, 0, .5, 0, .5}, {.5, 0, 0, .5, .5, .5}};
-    const Moments g = invariant_moments(square, determinant_weights(square), 8);
+    const PlaneMoments g = invariant_moments(square, determinant_weights(square), 8);
     for (int i = 0; i <= 8; ++i)
         for (int j = 0; i + j <= 8; ++j)
             EXPECT_NEAR(g[moment_index(i, j)], 1.0 / ((i + 1) * (j + 1)), 1e-14);
@@ -62,8 +62,8 @@ TEST(Moments, of_random_systems_are_those_of_their_points) {
             m = {number(random), number(random), number(random),
                  number(random), number(random), number(random)};
         const std::vector<double> weights{0.2, 0.5, 0.3};
-        const Moments recursion = invariant_moments(maps, weights, 4);
-        const Moments points = moments_of(cells(maps, weights, 9), 4);
+        const PlaneMoments recursion = invariant_moments(maps, weights, 4);
+        const PlaneMoments points = moments_of(cells(maps, weights, 9), 4);
         for (std::size_t m = 0; m < points.size(); ++m) EXPECT_NEAR(recursion[m], points[m], 2e-3);
     }
 }
@@ -124,7 +124,7 @@ TEST(Picture, ink_is_what_differs_from_the_border) {
     grey[5] = 0;     // column 1, row 1
     grey[6] = 0.5F;  // half the ink
     grey[9] = 0.9F;  // too little
-    const Picture picture = picture_of(image_of(4, 4, grey));
+    const PlaneMeasure picture = picture_of(image_of(4, 4, grey));
     ASSERT_EQ(picture.points.size(), 2U);
     EXPECT_EQ(picture.points[0].x, -0.25);
     EXPECT_EQ(picture.points[0].y, 0.25);
@@ -134,7 +134,8 @@ TEST(Picture, ink_is_what_differs_from_the_border) {
 }
 
 TEST(Picture, points_are_read_from_text) {
-    const Picture picture = read_points("p.xy", "# points\n1 2\n\n-.5,1e-3 ; more\r\n3 4 0.5\n");
+    const PlaneMeasure picture =
+        read_points("p.xy", "# points\n1 2\n\n-.5,1e-3 ; more\r\n3 4 0.5\n");
     ASSERT_EQ(picture.points.size(), 3U);
     EXPECT_EQ(picture.points[1].y, 1e-3);
     EXPECT_EQ(picture.points[2].weight, 0.5);
