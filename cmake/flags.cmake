@@ -2,7 +2,9 @@
 # no contraction of a*b+c into one rounding, no fast-math, no -march of the machine at hand.
 add_library(pxm_flags INTERFACE)
 target_compile_options(pxm_flags INTERFACE
-    $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wconversion> $<BUILD_INTERFACE:-Wshadow>
+    $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wconversion>
+    # Files that are compiled together see each other's names, and none of them is the unit's own (cmake/unity.cmake).
+    $<BUILD_INTERFACE:$<IF:$<BOOL:${PXM_UNITY}>,-Wno-subobject-linkage,-Wshadow>>
     # What g++ means by -Wconversion: clang counts signs, too.
     $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>>
     -ffp-contract=off
