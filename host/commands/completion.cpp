@@ -52,7 +52,7 @@ void add_options(const CommandFacts& command, Candidates& candidates) {
 void add_entries(const Words& words, Candidates& candidates) {
     for (const std::string& word : words) {
         try {
-            for (const std::string& entry : fractint_entries(word)) candidates.add(entry, word);
+            for (const std::string& entry : entries_of(word)) candidates.add(entry, word);
         } catch (const Error&) {
             continue;  // what cannot be read has no entries
         }

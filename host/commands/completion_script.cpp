@@ -13,6 +13,7 @@ namespace {
 constexpr const char* for_bash = R"(# bash completion of pxm, printed by `pxm completion bash`
 _pxm() {
     local program=${1/#\~/$HOME} current=${COMP_WORDS[COMP_CWORD]} ending= line name
+    local words=("${COMP_WORDS[@]:1:COMP_CWORD}")
     [[ $current == = ]] && current=
     COMPREPLY=()
     while IFS= read -r line; do
@@ -32,10 +33,11 @@ _pxm() {
                 name=${line%%$'\t'*}
                 # bash took `--option=` for words of their own.
                 [[ $current != *=* && $name == *=* ]] && name=${name#*=}
+                [[ $name == *[^[:alnum:]=.,:/#+_-]* ]] && printf -v name %q "$name"
                 COMPREPLY+=("$name")
                 ;;
         esac
-    done < <("$program" completion words -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
+    done < <("$program" completion words -- "${words[@]//\\/}" 2>/dev/null)
 }
 complete -F _pxm pxm
 )";

@@ -78,7 +78,7 @@ const std::vector<ExitCodeMeaning>& exit_code_meanings() {
         {4, "a file could not be read or written"},
         {5, "a limit of the simulated machine was exceeded"},
         {6, "compare: more than the tolerance differs"},
-        {7, "join: parts are missing"},
+        {7, "join: parts are missing; or --limit-seconds or --limit-memory ended the run"},
         {of_signal(SIGHUP), "ended by SIGHUP"},
         {of_signal(SIGINT), "ended by Ctrl-C"},
         {of_signal(SIGTERM), "ended by SIGTERM"},

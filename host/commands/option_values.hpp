@@ -1,7 +1,7 @@
 // What the options take: one word for a kind of file or text, or all the words there are. It stands
 // in the help and in the manual, and is what shells complete.
 //   SCENE  a scene's file or name      FILE, FILE.json  a file      DIR  a folder
-//   ENTRY  of the FRACTINT file that is imported
+//   ENTRY  of the file that is imported
 //   a|b|c  one of these words          a|b|c,...  several of them
 #pragma once
 

@@ -157,6 +157,10 @@ void require_picture(const std::string& path, const std::string& extension) {
                             name));
 }
 
+bool is_flame(const std::string& extension) {
+    return same_word(extension, ".flame") || same_word(extension, ".flam3");
+}
+
 template <class Entry>
 std::vector<std::string> names_of(const std::vector<Entry>& list) {
     std::vector<std::string> names;
@@ -167,12 +171,14 @@ std::vector<std::string> names_of(const std::vector<Entry>& list) {
 
 }  // namespace
 
-std::vector<std::string> fractint_entries(const std::string& path) {
+std::vector<std::string> entries_of(const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
     Diagnostics diagnostics;
     if (same_word(extension, ".ifs"))
         return names_of(parse_fractint_ifs(read_file(path), diagnostics));
     if (same_word(extension, ".l")) return names_of(parse_fractint_l(read_file(path), diagnostics));
+    if (is_flame(extension)) return flame_names({path, read_file(path)});
+    if (same_word(extension, ".aifs")) return aifs_names({path, read_file(path)});
     return {};
 }
 
@@ -189,7 +195,7 @@ Imported import_file(const ImportRequest& request) {
                             [&](const char* known) { return same_word(extension, known); });
     if (!has_entries && request.entry)
         throw Error(ErrorKind::setting, "--entry: only .ifs, .l, .flame and .aifs have entries");
-    const bool flame = same_word(extension, ".flame") || same_word(extension, ".flam3");
+    const bool flame = is_flame(extension);
     if (!flame && request.affine_part)
         throw Error(ErrorKind::setting, "--affine-part: only a .flame has other variations");
     if (flame)

@@ -38,8 +38,8 @@ enum class FractintFormat { ifs, l };
 [[nodiscard]] Imported import_fractint(const SourceFile& source, FractintFormat format,
                                        const std::optional<std::string>& entry);
 
-/// The names of the entries that can be asked for; none if the file is not FRACTINT's. Throws Error
-/// as import_file.
-[[nodiscard]] std::vector<std::string> fractint_entries(const std::string& path);
+/// The names of the entries of a file that can be asked for; none of a file that holds one thing.
+/// Throws Error as import_file.
+[[nodiscard]] std::vector<std::string> entries_of(const std::string& path);
 
 }  // namespace pxm::host

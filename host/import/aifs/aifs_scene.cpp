@@ -146,6 +146,28 @@ void write_camera(const AifsSystem& system, Scene& scene) {
     scene.camera = camera;
 }
 
+/// The blocks of a file, and which of them can be asked for by which name.
+struct Choices {
+    std::vector<AifsBlock> blocks;
+    std::vector<AifsEntry> entries;
+};
+
+Choices choices_of(const SourceFile& source) {
+    Diagnostics diagnostics;
+    Choices choices{parse_aifs(source.text, diagnostics), {}};
+    diagnostics.throw_if_errors({source});
+    choices.entries = aifs_entries(choices.blocks);
+    if (choices.entries.size() == 1 && choices.entries[0].name.starts_with("block "))
+        choices.entries[0].name = bare_name(source.name);
+    return choices;
+}
+
+std::vector<std::string> names_of(const std::vector<AifsEntry>& entries) {
+    std::vector<std::string> names;
+    for (const AifsEntry& entry : entries) names.push_back(entry.name);
+    return names;
+}
+
 struct Choice {
     std::size_t entry = 0;
     std::optional<std::string> set;
@@ -154,8 +176,7 @@ struct Choice {
 /// NAME, #3, or either with the name of a set behind a colon.
 Choice choose(const std::vector<AifsEntry>& entries, const std::string& file,
               const std::optional<std::string>& wanted) {
-    std::vector<std::string> names;
-    for (const AifsEntry& entry : entries) names.push_back(entry.name);
+    const std::vector<std::string> names = names_of(entries);
     if (wanted && wanted->find(':') != std::string::npos &&
         std::ranges::find(names, *wanted) == names.end()) {
         const std::size_t colon = wanted->rfind(':');
@@ -176,13 +197,12 @@ Choice choose(const std::vector<AifsEntry>& entries, const std::string& file,
 
 }  // namespace
 
+std::vector<std::string> aifs_names(const SourceFile& source) {
+    return names_of(choices_of(source).entries);
+}
+
 Imported import_aifs(const SourceFile& source, const std::optional<std::string>& entry) {
-    Diagnostics diagnostics;
-    const std::vector<AifsBlock> blocks = parse_aifs(source.text, diagnostics);
-    diagnostics.throw_if_errors({source});
-    std::vector<AifsEntry> entries = aifs_entries(blocks);
-    if (entries.size() == 1 && entries[0].name.starts_with("block "))
-        entries[0].name = bare_name(source.name);
+    const auto [blocks, entries] = choices_of(source);
     const Choice choice = choose(entries, source.name, entry);
     const AifsEntry& chosen = entries[choice.entry];
     const AifsBlock& block = blocks[chosen.block];
@@ -199,6 +219,7 @@ Imported import_aifs(const SourceFile& source, const std::optional<std::string>&
                                     printable(chosen.name, 200), file_name(source.name),
                                     writer.dimension(), system.dimension));
     } catch (const AifsMistake& mistake) {
+        Diagnostics diagnostics;
         diagnostics.error(mistake.position, mistake.message);
         diagnostics.throw_if_errors({source});
         throw;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/import/import.hpp"
 #include "host/scene/scene.hpp"
@@ -13,5 +14,8 @@ namespace pxm::host {
 /// does.
 [[nodiscard]] Imported import_aifs(const SourceFile& source,
                                    const std::optional<std::string>& entry);
+
+/// The names of all blocks that can be asked for. Throws Error(scene): it is no AIFS.
+[[nodiscard]] std::vector<std::string> aifs_names(const SourceFile& source);
 
 }  // namespace pxm::host

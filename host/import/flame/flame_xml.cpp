@@ -89,6 +89,15 @@ std::vector<pugi::xml_node> flames_of(const pugi::xml_document& document) {
     return flames;
 }
 
+std::vector<std::string> names_of(const std::vector<pugi::xml_node>& flames) {
+    std::vector<std::string> names;
+    for (const pugi::xml_node& flame : flames) {
+        const std::string name = flame.attribute("name").value();
+        names.push_back(name.empty() ? fmt::format("flame {}", names.size() + 1) : name);
+    }
+    return names;
+}
+
 XmlElement element_of(const pugi::xml_node& node, const Places& place, std::ptrdiff_t mark) {
     XmlElement element;
     element.name = node.name();
@@ -107,17 +116,19 @@ const std::string* XmlElement::attribute(std::string_view wanted) const {
     return found == attributes.end() ? nullptr : &found->second;
 }
 
+std::vector<std::string> flame_names(const SourceFile& source) {
+    pugi::xml_document document;
+    parse(source, Places(source.text), document);
+    return names_of(flames_of(document));
+}
+
 XmlElement read_flame(const SourceFile& source, const std::optional<std::string>& entry) {
     const Places place(source.text);
     pugi::xml_document document;
     parse(source, place, document);
     const std::vector<pugi::xml_node> flames = flames_of(document);
     if (flames.empty()) refuse(source, {}, "no <flame> is in the file");
-    std::vector<std::string> names;
-    for (const pugi::xml_node& flame : flames) {
-        const std::string name = flame.attribute("name").value();
-        names.push_back(name.empty() ? fmt::format("flame {}", names.size() + 1) : name);
-    }
+    const std::vector<std::string> names = names_of(flames);
     const std::size_t chosen = choose_entry(names, source.name, entry);
     const std::ptrdiff_t mark =
         source.text.starts_with(byte_order_mark) ? std::ssize(byte_order_mark) : 0;

@@ -29,4 +29,7 @@ struct XmlElement {
 [[nodiscard]] XmlElement read_flame(const SourceFile& source,
                                     const std::optional<std::string>& entry);
 
+/// The names of all flames of the file, as read_flame calls them. Throws Error(scene) as it does.
+[[nodiscard]] std::vector<std::string> flame_names(const SourceFile& source);
+
 }  // namespace pxm::host

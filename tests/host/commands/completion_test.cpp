@@ -114,7 +114,15 @@ TEST_F(Completion, offers_the_entries_of_a_file_that_is_imported) {
     folder.write("one.l", "koch { Angle 6\n Axiom F\n F=F+F--F+F\n}\n");
     EXPECT_THAT(after({"import", "two.ifs", "--entry", ""}), ElementsAre("fern", "tree"));
     EXPECT_THAT(after({"import", "one.l", "--entry", "k"}), ElementsAre("koch"));
-    EXPECT_THAT(after({"import", "none.ifs", "--entry", ""}), IsEmpty());
+    folder.write("a.flame",
+                 "<flames><flame name=\"my leaf\"><xform weight=\"1\" linear=\"1\" "
+                 "coefs=\".5 0 0 .5 0 0\"/></flame><flame/></flames>");
+    folder.write("b.aifs", "@one\n$dim=2\nS=S|S\n@two\n$dim=2\nS=S|S\n");
+    EXPECT_THAT(after({"import", "a.flame", "--entry", ""}), ElementsAre("my leaf", "flame 2"));
+    EXPECT_THAT(after({"import", "b.aifs", "--entry", ""}), ElementsAre("one", "two"));
+    folder.write("a.es", "box\n");
+    for (const char* none : {"none.ifs", "none.flame", "a.es"})
+        EXPECT_THAT(after({"import", none, "--entry", ""}), IsEmpty()) << none;
 }
 
 TEST_F(Completion, is_silent_about_what_it_does_not_know) {
