@@ -47,6 +47,21 @@ TEST(Library, the_example_in_the_documents_shows_what_the_text_of_its_system_sho
     EXPECT_EQ(run.out, std::to_string(depth) + "\n");
 }
 
+TEST(Library, the_example_that_changes_a_map_shows_both_scenes_and_ends_a_render) {
+    const Folder folder;
+    const std::string example = binary.substr(0, binary.rfind('/')) + "/change_a_map";
+    const Outcome run = Process(folder, example, {}, {}).wait(60);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.err, testing::HasSubstr("\r100 %"));
+    static const std::regex told(
+        R"re(before: (\d+) hits, (\d+) with words, some face the eye\n)re"
+        R"re(after: (\d+) hits, (\d+) with words, some face the eye\nstopped\n)re");
+    std::smatch parts;
+    ASSERT_TRUE(std::regex_match(run.out, parts, told)) << run.out;
+    EXPECT_EQ(parts[1], parts[2]);
+    EXPECT_LT(std::stol(parts[3]), std::stol(parts[1])) << "a smaller map covers less";
+}
+
 TEST(Library, a_scene_as_data_is_rendered_as_its_text) {
     Diagnostics diagnostics;
     RenderRequest request = small_request();

@@ -1,5 +1,5 @@
-// Pictures as files that are written: PNG by the threads that render (host/output/png.hpp), all
-// others through OpenImageIO.
+// Pictures as files that are written: PNG by the threads that render (host/output/png.hpp), EXR by
+// OpenEXR, all others through OpenImageIO.
 #pragma once
 
 #include <functional>
