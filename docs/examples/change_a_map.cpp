@@ -1,5 +1,5 @@
-// pxm as a library: a scene that came with pxm is read by its name and rendered before and after one
-// of its maps is changed; depths, words and normals are read, and a long render is ended.
+// pxm as a library: a scene that came with pxm is read by its name and rendered before and after
+// one of its maps is changed; depths, words and normals are read, and a long render is ended.
 #include <atomic>
 #include <cmath>
 #include <cstdio>
