@@ -9,16 +9,17 @@ namespace pxm::kernels {
 /// The 3x3 linear part T, by rows.
 template <class Real>
 struct Linear {
-    Vec3<Real> rows[3];
+    Vec3<Real> rows[3];  // in order
 };
 
 /// x' = x T + a.
 template <class Real>
 struct AffineMap {
-    Linear<Real> linear;
-    Vec3<Real> offset;
+    Linear<Real> linear;  // T
+    Vec3<Real> offset;    // a
 };
 
+/// p T + a.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Vec3<Real> transform_point(Node& node, const Vec3<Real>& p,
                                          const AffineMap<Real>& map) noexcept {
@@ -29,6 +30,7 @@ template <NodeLike Node, class Real = typename Node::Real>
             sum_of_products(map.offset.z, p.x, r[0].z, p.y, r[1].z, p.z, r[2].z)};
 }
 
+/// d T.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Vec3<Real> transform_direction(Node& node, const Vec3<Real>& d,
                                              const Linear<Real>& linear) noexcept {
@@ -55,6 +57,7 @@ template <NodeLike Node, class Real = typename Node::Real>
             dot(node, n, linear.rows[2])};
 }
 
+/// Nine numbers by rows, from a word address on.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Linear<Real> read_linear(Node& node, std::uint32_t address) noexcept {
     constexpr std::uint32_t row = 3 * real_words<Real>;

@@ -19,10 +19,11 @@ namespace pxm::kernels {
 template <NodeLike Node>
 class Beam {
   public:
-    using Real = typename Node::Real;
-    using Header = HeaderRecord<real_words<Real>>;
-    using Record = BeamRecord<real_words<Real>>;
+    using Real = typename Node::Real;               // of the node
+    using Header = HeaderRecord<real_words<Real>>;  // the scene block's header
+    using Record = BeamRecord<real_words<Real>>;    // what the host says of the places
 
+    /// Of the search's ray.
     Beam(Node& node, const Search<Real>& search) noexcept
         : node_(node),
           search_(search),
@@ -79,6 +80,7 @@ class Beam {
     /// Whether look() has seen all places. A heap may have been too small, or cells too many, as
     /// long thin ones are; then open places are left to rays, which meet fewer of them.
     [[nodiscard]] bool is_complete() const noexcept { return is_complete_; }
+    /// In a pixel, at most 32.
     [[nodiscard]] std::uint32_t places() const noexcept { return count_; }
     /// A place's part of the pixel.
     [[nodiscard]] Real share_of_place() const noexcept { return share_; }

@@ -131,10 +131,11 @@ template <NodeLike Node, class Real = typename Node::Real>
 /// The way back into a cell: the adjugate over the determinant (Eq. 12.3).
 template <class Real>
 struct CellInverse {
-    Linear<Real> crosses;
-    Real over_volume;
-    bool flat;  // there is none
+    Linear<Real> crosses;  // cross products of the rows: the columns of the adjugate
+    Real over_volume;      // 1 / determinant, 0 of a flat cell
+    bool flat;             // there is none
 };
+/// Of the cell's linear part, three cross products and a reciprocal.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] CellInverse<Real> inverse_of(Node& node, const Cell<Real>& cell) noexcept {
     const Vec3<Real>* r = cell.linear.rows;
@@ -152,8 +153,8 @@ template <NodeLike Node, class Real = typename Node::Real>
 /// beam: if it were taken to be, cells that touch at different depths would leave a gap.
 template <class Real>
 struct PassingRay {
-    Vec3<Real> aside;
-    Vec3<Real> along;
+    Vec3<Real> aside;  // from the cell's centre
+    Vec3<Real> along;  // for a unit along the beam
 };
 
 /// Whether a ray meets the cell's volume.

@@ -11,6 +11,7 @@
 
 namespace pxm::kernels {
 
+/// A cell along a ray: the image of a volume under a word of maps.
 template <class Real>
 struct Cell {
     Ray<Real> ray;          // in the cell's own coordinates, re-based to its volume's centre
@@ -19,7 +20,7 @@ struct Cell {
     Real constant{};        // Lipschitz constant of the composed map (product, determinant)
     Linear<Real> linear{};  // composed linear part (polar)
     Vec3<Real> lost[2]{};   // unit axes that lifted singular maps squashed, as far as counted
-    std::uint32_t lost_axes = 0;
+    std::uint32_t lost_axes = 0;   // how many there are in `lost`
     std::uint32_t object = 0;      // address of the object record
     std::uint32_t follow_set = 0;  // address of the volume's record and the maps that may come next
     std::uint16_t level = 0;       // length of the word

@@ -11,23 +11,24 @@ namespace pxm::kernels {
 /// covers stops when the list is full, and goes on behind the last one later.
 template <class Real>
 struct CoverList {
-    static constexpr std::uint32_t capacity = 8;
-    struct Entry {
-        Cell<Real> cell;
-        Shown<Real> shown;
+    static constexpr std::uint32_t capacity = 8;  // covers
+    struct Entry {                                // one cover
+        Cell<Real> cell;                          // that shows
+        Shown<Real> shown;                        // how much of it, and in what colour
     };
-    Entry entries[capacity];
-    std::uint32_t size = 0;
+    Entry entries[capacity];  // the nearest first
+    std::uint32_t size = 0;   // how many there are
 };
 
 /// Fills the list with what shows, until nothing shows behind.
 template <NodeLike Node>
 struct CollectCovers {
-    using Real = typename Node::Real;
-    Node& node;
-    CoverList<Real>& list;
-    Real& left;  // of the ray's share
-    Real least;  // below it nothing is left
+    using Real = typename Node::Real;  // of the node
+    Node& node;                        // that does the work
+    CoverList<Real>& list;             // to be filled
+    Real& left;                        // of the ray's share
+    Real least;                        // below it nothing is left
+    /// Takes a cell; false: no more is wanted.
     bool operator()(const Cell<Real>& cell, const Shown<Real>& shown) const noexcept {
         node.tally(Operation::multiply_add, 2);
         node.tally(Operation::compare_branch, 1);
@@ -43,9 +44,10 @@ struct CollectCovers {
 /// Takes from a light what shows along a shadow ray (Eqs. 18.7, 18.8).
 template <NodeLike Node>
 struct DimLight {
-    using Real = typename Node::Real;
-    Node& node;
-    Real& left;
+    using Real = typename Node::Real;  // of the node
+    Node& node;                        // that does the work
+    Real& left;                        // of the light, 0 to 1
+    /// Takes a cell; false: no light is left.
     bool operator()(const Cell<Real>&, const Shown<Real>& shown) const noexcept {
         node.tally(Operation::multiply_add, 1);
         node.tally(Operation::compare_branch, 1);

@@ -39,7 +39,7 @@ struct Missed {
 template <NodeLike Node>
 class MissedChildren {
   public:
-    using Real = typename Node::Real;
+    using Real = typename Node::Real;  // of the node
 
     /// `diameter` is the cell's, `pixel` the size of a pixel at its key.
     MissedChildren(Node& node, const Search<Real>& search, const Cell<Real>& cell, Real diameter,
@@ -54,7 +54,7 @@ class MissedChildren {
         missed_.diameter = widest_;
     }
 
-    void met() noexcept { missed_.all = false; }
+    void met() noexcept { missed_.all = false; }  // tells of a child that the ray meets
 
     /// A child that the ray does not meet. Precondition: its ray was re-based to its volume.
     void missed(std::uint32_t map, Cell<Real>& child) noexcept {
@@ -156,8 +156,9 @@ template <NodeLike Node, class Met, class Real = typename Node::Real>
 /// What the heap does with children that the ray meets.
 template <NodeLike Node>
 struct PushChild {
-    Heap<Node>& heap;
-    SearchCounts& counts;
+    Heap<Node>& heap;      // they are pushed to
+    SearchCounts& counts;  // of the ray
+    /// Pushes a child.
     void operator()(const Cell<typename Node::Real>& child) const noexcept {
         heap.push(child);
         ++counts.heap_pushes;
@@ -166,8 +167,9 @@ struct PushChild {
 
 /// The rule of covers for next_after: the children are looked at without going down.
 struct CoverRule {
-    SearchCounts& counts;
+    SearchCounts& counts;  // of the ray
 
+    /// What the cell shows when the search has ended at it so.
     template <NodeLike Node, class Real = typename Node::Real>
     [[nodiscard]] Shown<Real> operator()(Node& node, const Search<Real>& search,
                                          const Cell<Real>& cell, Ending end) const noexcept {
@@ -185,7 +187,7 @@ template <class Real, class See>
 struct CoverWalk {
     const Cell<Real>* after;     // null, or only what comes after that cell is reported
     std::uint64_t most_volumes;  // the cap on cells, as a count of volumes tested
-    const See& see;
+    const See& see;              // takes a cell and what it shows; false: no more is wanted
 
     /// Reports a cell; false if no more is wanted.
     template <NodeLike Node>

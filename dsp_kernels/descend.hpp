@@ -183,6 +183,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     return Ending::goes_on;
 }
 
+/// The same with the diameter and the pixel of the cell.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Ending ending(Node& node, const Search<Real>& search,
                             const Cell<Real>& cell) noexcept {

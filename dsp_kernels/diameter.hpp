@@ -17,7 +17,12 @@ inline constexpr int jacobi_sweeps = 8;  // cyclic Jacobi on a 3x3 matrix settle
 /// A symmetric 3x3 matrix: diagonal xx, yy, zz and off-diagonal xy, yz, zx.
 template <class Real>
 struct Symmetric {
-    Real xx, yy, zz, xy, yz, zx;
+    Real xx;  // on the diagonal
+    Real yy;  // on the diagonal
+    Real zz;  // on the diagonal
+    Real xy;  // beside it
+    Real yz;  // beside it
+    Real zx;  // beside it
 };
 
 /// An off-diagonal entry that is this much smaller than the difference of its two diagonal entries

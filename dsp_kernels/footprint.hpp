@@ -12,26 +12,27 @@ inline constexpr int most_spots = 16;  // of one ellipse; beyond, spots grow lon
 /// A point or a direction on a plane, in repeats of a texture.
 template <class Real>
 struct Vec2 {
-    Real u{};
-    Real v{};
+    Real u{};  // along the first axis
+    Real v{};  // along the second
 };
 
 /// An ellipse on a plane: its full axes, and how many spots it is looked at in.
 template <class Real>
 struct Footprint {
-    Vec3<Real> minor;
-    Vec3<Real> major;
-    int spots = 1;
+    Vec3<Real> minor;  // the shorter one
+    Vec3<Real> major;  // the longer one
+    int spots = 1;     // along the longer one, up to most_spots
 };
 
 /// Where a texture is looked at: a point, and the full axes of an ellipse about it.
 template <class Real>
 struct Spot {
-    Vec2<Real> at;
-    Vec2<Real> minor;
-    Vec2<Real> major;
+    Vec2<Real> at;     // its middle
+    Vec2<Real> minor;  // the shorter full axis
+    Vec2<Real> major;  // the longer full axis
 };
 
+/// The vector product.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Vec3<Real> cross(Node& node, const Vec3<Real>& a, const Vec3<Real>& b) noexcept {
     node.tally(Operation::multiply_add, 6);
@@ -82,8 +83,8 @@ template <NodeLike Node, class Real = typename Node::Real>
 /// A coordinate in repeats: which repeat, and the place in it from 0 to 1.
 template <class Real>
 struct Place {
-    Real fraction;
-    std::uint32_t repeat;
+    Real fraction;         // 0 to 1
+    std::uint32_t repeat;  // its number, modulo repeat_period
 };
 
 inline constexpr double farthest_repeat = 0x1p20;  // beyond, a fraction has too few digits

@@ -15,7 +15,7 @@ namespace pxm::kernels {
 template <NodeLike Node>
 class Heap {
   public:
-    using Entry = Cell<typename Node::Real>;
+    using Entry = Cell<typename Node::Real>;  // what it holds
 
     /// Lays the heap over the node's memories.
     explicit Heap(Node& node) noexcept
@@ -28,17 +28,20 @@ class Heap {
         for (std::uint32_t i = 0; i < capacity_; ++i) order_[i] = i;
     }
 
+    /// Takes all out; what was counted begins anew.
     void clear() noexcept {
         size_ = 0;
         peak_ = 0;
         overflowed_ = false;
     }
-    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }  // whether no cell is in it
+    /// The most cells that it holds.
     [[nodiscard]] std::uint32_t capacity() const noexcept { return capacity_; }
     /// The most cells held since clear().
     [[nodiscard]] std::uint32_t peak() const noexcept { return peak_; }
     /// Whether a cell was dropped since clear(), and the smallest of those.
     [[nodiscard]] bool overflowed() const noexcept { return overflowed_; }
+    /// Precondition: overflowed().
     [[nodiscard]] const Entry& smallest_dropped() const noexcept { return dropped_; }
 
     /// Adds a cell, or drops the largest of all.
@@ -75,6 +78,7 @@ class Heap {
         tally_slow_words(cell);
         move_cell(node_, slots_[slot], cell);
     }
+    /// Copies a slot to `cell`.
     void fetch(std::uint32_t slot, Entry& cell) noexcept {
         tally_slow_words(slots_[slot]);
         move_cell(node_, cell, slots_[slot]);

@@ -16,17 +16,20 @@ namespace pxm::kernels {
 template <NodeLike Node>
 class ProjectedStack {
   public:
-    using Real = typename Node::Real;
-    using Entry = ProjectedCell<Real>;
+    using Real = typename Node::Real;   // of the node
+    using Entry = ProjectedCell<Real>;  // what it holds
 
+    /// Lays the stack over the node's memories.
     explicit ProjectedStack(Node& node) noexcept
         : node_(node),
           order_(node.heap_order()),
           slots_(node.template heap_records<Entry>()),
           capacity_(static_cast<std::uint32_t>(node.heap_capacity())) {}
 
-    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }  // whether no cell is on it
+    /// The most cells that it held.
     [[nodiscard]] std::uint32_t peak() const noexcept { return peak_; }
+    /// Whether no other has room.
     [[nodiscard]] bool full() const noexcept { return size_ == capacity_; }
 
     /// What is pushed from now on is one group.

@@ -11,7 +11,7 @@ namespace pxm::kernels {
 /// What lights fall on: a surface at a place, and where hierarchical shading needs it, its cell.
 template <class Real>
 struct LitPlace {
-    Surface<Real> surface;
+    Surface<Real> surface;           // its normal, colours and shares
     Vec3<Real> point;                // of the world
     Real pixel;                      // p there
     const Sighting<Real>* sighting;  // null on a plane
@@ -36,11 +36,12 @@ template <NodeLike Node, class Real = typename Node::Real>
 /// Adds up what a point light gives the cells of a path.
 template <NodeLike Node>
 struct AddPointLight {
-    using Real = typename Node::Real;
-    Node& node;
-    const Ray<Real>& ray;
-    const Vec3<Real>& place;
-    PathSum<Node>& light;
+    using Real = typename Node::Real;  // of the node
+    Node& node;                        // that does the work
+    const Ray<Real>& ray;              // that sees the path
+    const Vec3<Real>& place;           // of the light
+    PathSum<Node>& light;              // the sum
+    /// Adds what a cell gets that the ray enters at t.
     void operator()(const Cell<Real>& cell, const Vec3<Real>& normal, Real t) const noexcept {
         const Vec3<Real> to_light = direction_to_point_light(node, point_at(node, ray, t), place);
         const Real cosine = facing(node, normal, to_light);

@@ -17,6 +17,7 @@ enum class From { cell, next };
 
 /// The rule of solid objects: terminal cells show, and nothing else does.
 struct SolidRule {
+    /// Opacity 1 of a terminal cell, 0 of all others.
     template <NodeLike Node, class Real = typename Node::Real>
     [[nodiscard]] Shown<Real> operator()(Node& node, const Search<Real>&, const Cell<Real>&,
                                          Ending end) const noexcept {
@@ -32,8 +33,9 @@ struct SolidRule {
 template <NodeLike Node>
 class CellPath {
   public:
-    using Real = typename Node::Real;
+    using Real = typename Node::Real;  // of the node
 
+    /// An empty path; `search` and `heap` must outlive it.
     CellPath(Node& node, const Search<Real>& search, Heap<Node>& heap) noexcept
         : node_(node),
           search_(search),
@@ -120,9 +122,9 @@ class CellPath {
 /// What next_after looks for: the smallest cell that shows by `rule` and is not before `bound`.
 template <class Real, class Rule>
 struct Sought {
-    const Cell<Real>& bound;
-    From from;
-    Rule rule;
+    const Cell<Real>& bound;     // the cell that the search begins with
+    From from;                   // with itself, or behind it
+    Rule rule;                   // what shows
     std::uint64_t most_volumes;  // the cap on cells, as a count of volumes tested
 };
 

@@ -14,18 +14,20 @@ inline constexpr Real least_share = from_double<Real>(0x1p-9);
 /// A ray still to be traced, and the share of it in the pixel.
 template <class Real>
 struct PendingRay {
-    Search<Real> search;
-    Real share;
-    std::uint32_t bounces_left;
+    Search<Real> search;         // with the ray
+    Real share;                  // of the pixel, 0 to 1
+    std::uint32_t bounces_left;  // mirrors that it may still meet
 };
 
 /// The rays still to be traced. When there are too many, those that matter least are given up.
 template <class Real>
 class PendingRays {
   public:
-    static constexpr std::uint32_t capacity = 8;
-    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    static constexpr std::uint32_t capacity = 8;                      // rays
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }  // whether no ray is left
+    /// The last one that was pushed; Precondition: there is one.
     [[nodiscard]] PendingRay<Real> pop() noexcept { return rays_[--size_]; }
+    /// Adds a ray unless its share is too small.
     template <NodeLike Node>
     void push(Node& node, const PendingRay<Real>& ray, Real least_share_of_ray) noexcept {
         node.tally(Operation::compare_branch, 1);

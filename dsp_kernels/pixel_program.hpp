@@ -8,6 +8,7 @@
 
 namespace pxm::kernels {
 
+/// Reads them from the scene block's header.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] FrameConstants<Real> read_frame_constants(Node& node) noexcept {
     using Header = HeaderRecord<real_words<Real>>;
@@ -49,12 +50,12 @@ void render_pixel(Node& node, FrameConstants<Real>& frame, Heap<Node>& heap, std
 
 /// The pixels a program renders: every step_x-th and step_y-th of a window, half open.
 struct PixelShare {
-    std::uint32_t x0;
-    std::uint32_t y0;
-    std::uint32_t x1;
-    std::uint32_t y1;
-    std::uint32_t step_x;
-    std::uint32_t step_y;
+    std::uint32_t x0;      // the first column
+    std::uint32_t y0;      // the first row
+    std::uint32_t x1;      // beyond the last column
+    std::uint32_t y1;      // beyond the last row
+    std::uint32_t step_x;  // columns
+    std::uint32_t step_y;  // rows
 };
 
 /// The node's program. `store(x, y, result)` takes a finished pixel and says whether to go on.

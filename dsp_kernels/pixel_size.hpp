@@ -11,8 +11,8 @@ namespace pxm::kernels {
 /// width / columns everywhere.
 template <class Real>
 struct PixelSize {
-    Real at_origin;
-    Real growth;
+    Real at_origin;  // p(0), in scene units
+    Real growth;     // a unit of the way
 };
 
 /// p_l(t) at distance t from a light: zero there, p(t_e) at the surface at distance t_l (Eq. 15.3).

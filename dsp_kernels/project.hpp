@@ -12,8 +12,8 @@ namespace pxm::kernels {
 /// The ray in the coordinates of an object, and the plane across it.
 template <class Real>
 struct ProjectedRay {
-    Vec3<Real> u;  // unit vectors of the plane
-    Vec3<Real> v;
+    Vec3<Real> u;          // unit vectors of the plane
+    Vec3<Real> v;          // across u
     Vec3<Real> along;      // the ray's direction, a unit vector too
     Real constant;         // Lipschitz constant of the object over the ray's parameter
     std::uint32_t object;  // address of its record
@@ -23,15 +23,15 @@ struct ProjectedRay {
 /// A cell seen along the ray. Lengths are in the cell's own coordinates.
 template <class Real>
 struct ProjectedCell {
-    Real x{};  // where the ray lies in the disc, from its centre
-    Real y{};
-    Real t{};      // the ray's parameter at the centre
-    Real scale{};  // of the ray's parameter for a unit of the cell
-    Real key{};    // the ray's interval, Erratum 3
-    Real exit{};
+    Real x{};                      // where the ray lies in the disc, from its centre
+    Real y{};                      // across x
+    Real t{};                      // the ray's parameter at the centre
+    Real scale{};                  // of the ray's parameter for a unit of the cell
+    Real key{};                    // the ray's interval, Erratum 3
+    Real exit{};                   // the interval's end
     std::uint32_t follow_set = 0;  // address
-    std::uint32_t level = 0;
-    std::uint32_t symbol = 0;  // of the last map of its word
+    std::uint32_t level = 0;       // length of its word
+    std::uint32_t symbol = 0;      // of the last map of its word
 };
 
 /// The plane across a ray: the first two columns of Eq. 13.2, whose first rotation has to be

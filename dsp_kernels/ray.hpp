@@ -15,16 +15,16 @@ inline constexpr Real far_away = from_double<Real>(1e30);
 /// near a cell: small numbers near the cell keep the digits that a far origin would lose.
 template <class Real>
 struct Ray {
-    Vec3<Real> origin;
-    Vec3<Real> direction;
-    Real base{};
+    Vec3<Real> origin;     // the point at t = base
+    Vec3<Real> direction;  // for a unit of t
+    Real base{};           // of the parameter
 };
 
 /// Part of a ray, from entry to exit; empty if exit < entry.
 template <class Real>
 struct Interval {
-    Real entry;
-    Real exit;
+    Real entry;  // the parameter where it begins
+    Real exit;   // the parameter where it ends
 };
 
 /// The point at parameter t.

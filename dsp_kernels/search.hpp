@@ -11,14 +11,14 @@ namespace pxm::kernels {
 /// A search: a ray, the part of it that counts, the size of a pixel along it, and when to stop.
 template <class Real>
 struct Search {
-    Ray<Real> ray;
-    Real start{};  // only cells between start and end are looked for
-    Real end = far_away<Real>;
-    PixelSize<Real> pixel;
-    Real detail;             // a cell is terminal at `detail` pixels: tau_min of local covers
-    Real fade;               // a cell begins to show at `fade` pixels: tau_max of local covers
-    std::uint32_t cell_cap;  // most cells tested for one ray
-    Method method;
+    Ray<Real> ray;              // unit direction in the world
+    Real start{};               // only cells between start and end are looked for
+    Real end = far_away<Real>;  // of that part
+    PixelSize<Real> pixel;      // p along the ray
+    Real detail;                // a cell is terminal at `detail` pixels: tau_min of local covers
+    Real fade;                  // a cell begins to show at `fade` pixels: tau_max of local covers
+    std::uint32_t cell_cap;     // most cells tested for one ray
+    Method method;              // which search finds the first hit
 };
 
 /// Whether the cell's composed linear part is needed for its diameter.

@@ -18,17 +18,18 @@ struct Shown {
     std::uint32_t map;  // 0, or the address of the map inside the cell whose colour it has
 };
 
+/// What a search has found.
 template <class Real>
 struct SearchResult {
-    Outcome outcome = Outcome::miss;
-    Cell<Real> cell;  // unless the outcome is a miss
-    Shown<Real> shown{Real(1), 0};
+    Outcome outcome = Outcome::miss;  // how it ended
+    Cell<Real> cell;                  // unless the outcome is a miss
+    Shown<Real> shown{Real(1), 0};    // of it
 };
 
 /// Counts of one ray (or, summed, of a node).
 struct SearchCounts {
     std::uint64_t volumes_tested = 0;  // cells whose volume was intersected with the ray
-    std::uint64_t heap_pushes = 0;
+    std::uint64_t heap_pushes = 0;     // cells put into the heap
     std::uint64_t heap_peak = 0;       // most cells in the heap at once
     std::uint64_t heap_overflows = 0;  // rays that dropped a cell
     std::uint64_t restarts = 0;        // rays that had to be finished by next_after

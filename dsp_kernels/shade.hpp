@@ -20,8 +20,8 @@ struct Surface {
 /// A cell that a ray came upon.
 template <class Real>
 struct Sighting {
-    const Search<Real>& search;
-    const Cell<Real>& cell;
+    const Search<Real>& search;  // that came upon it
+    const Cell<Real>& cell;      // the cell
     std::uint32_t map;  // 0, or the map inside the cell whose colour it has (dsp_kernels/covers)
 };
 
@@ -30,6 +30,7 @@ struct Sighting {
 template <NodeLike Node, class Real = typename Node::Real>
 class PathSum {
   public:
+    /// Of no cell yet.
     PathSum(ShadingMode mode, Real outermost_diameter) noexcept
         : mode_(mode), outermost_diameter_(outermost_diameter) {}
 
@@ -184,9 +185,10 @@ template <NodeLike Node, class Real = typename Node::Real>
 /// Adds up the normals of a path.
 template <NodeLike Node>
 struct AddNormal {
-    using Real = typename Node::Real;
-    Node& node;
-    PathSum<Node>& normals;
+    using Real = typename Node::Real;  // of the node
+    Node& node;                        // that does the work
+    PathSum<Node>& normals;            // the sum
+    /// Adds the normal of a cell.
     void operator()(const Cell<Real>& cell, const Vec3<Real>& normal, Real) const noexcept {
         normals.add(node, normal, cell_diameter(node, cell));
     }

@@ -9,7 +9,7 @@ namespace pxm::kernels {
 /// A cell that shows in a pixel.
 template <class Real>
 struct Sight {
-    Cell<Real> cell;
+    Cell<Real> cell;   // that shows
     Real share;        // of the pixel
     Vec3<Real> place;  // mean of its places, from the first one, in pixels
 };
@@ -18,10 +18,11 @@ struct Sight {
 /// has the least.
 template <class Real>
 struct SightList {
-    static constexpr std::uint32_t capacity = 12;
-    Sight<Real> sights[capacity];
-    std::uint32_t size = 0;
+    static constexpr std::uint32_t capacity = 12;  // cells
+    Sight<Real> sights[capacity];                  // in no order
+    std::uint32_t size = 0;                        // how many there are
 
+    /// Adds a cell, or its share to that of another.
     template <NodeLike Node>
     void add(Node& node, const Cell<Real>& cell, Real share, const Vec3<Real>& place) noexcept {
         node.tally(Operation::compare_branch, 1);

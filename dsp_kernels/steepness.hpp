@@ -23,6 +23,7 @@ inline constexpr Real shortening = from_double<Real>(0x1p-10);
 
 inline constexpr int most_shortenings = 8;  // enough for all single numbers but infinity
 
+/// |x| + |y| + |z|.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Real sum_of_magnitudes(Node& node, const Vec3<Real>& v) noexcept {
     node.tally(Operation::select, 3);

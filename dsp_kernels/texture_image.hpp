@@ -32,9 +32,9 @@ template <NodeLike Node, class Real = typename Node::Real>
 /// Two neighbouring texels along an axis that goes round, and the share of the second.
 template <class Real>
 struct Neighbours {
-    std::uint32_t first;
-    std::uint32_t second;
-    Real share;
+    std::uint32_t first;   // its number from 0
+    std::uint32_t second;  // that of the next one
+    Real share;            // of the second, 0 to 1
 };
 
 /// The texels whose centres are about the place `fraction` of `count` texels.

@@ -18,8 +18,8 @@ inline constexpr double inclusion_fineness = 0.125;  // radius of a cell that is
 /// the centre is 0: the map w_i1 ... w_ik, and which of the maps inside come next.
 template <class Real>
 struct PointCell {
-    Vec2<Real> rows[2];  // linear part
-    Vec2<Real> offset;
+    Vec2<Real> rows[2];      // linear part
+    Vec2<Real> offset;       // of the map
     Real stretch = Real(0);  // largest singular value of the linear part
     std::uint32_t next = 0;  // address in a list of maps
     std::uint32_t left = 0;  // maps not yet looked at
@@ -32,12 +32,14 @@ template <NodeLike Node, class Real = typename Node::Real>
     return {d.u * rows[0].u + d.v * rows[1].u, d.u * rows[0].v + d.v * rows[1].v};
 }
 
+/// a + b.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Vec2<Real> sum(Node& node, const Vec2<Real>& a, const Vec2<Real>& b) noexcept {
     node.tally(Operation::multiply_add, 2);
     return {a.u + b.u, a.v + b.v};
 }
 
+/// Of the vector (u, v).
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Real length(Node& node, Real u, Real v) noexcept {
     node.tally(Operation::multiply_add, 2);
@@ -45,6 +47,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     return square_root(u * u + v * v);
 }
 
+/// Two numbers from a word address on.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Vec2<Real> read_vec2(Node& node, std::uint32_t address) noexcept {
     const Real u = node.shape_real(address);
@@ -64,11 +67,11 @@ template <NodeLike Node, class Real = typename Node::Real>
 template <NodeLike Node>
 class Inclusion {
   public:
-    using Real = typename Node::Real;
-    using Set = PointSetRecord<real_words<Real>>;
-    using Map = PointMapRecord<real_words<Real>>;
+    using Real = typename Node::Real;              // of the node
+    using Set = PointSetRecord<real_words<Real>>;  // a follow set's record
+    using Map = PointMapRecord<real_words<Real>>;  // a map's record
 
-    explicit Inclusion(Node& node) noexcept : node_(node) {}
+    explicit Inclusion(Node& node) noexcept : node_(node) {}  // nothing found yet
 
     /// The distance found so far, in diameters of the spot: 1 if it is no less.
     [[nodiscard]] Real distance() const noexcept { return best_; }
@@ -145,7 +148,7 @@ class Inclusion {
 /// From the coordinates of a texture to those of a spot.
 template <class Real>
 struct ToSpot {
-    Vec2<Real> rows[2];
+    Vec2<Real> rows[2];  // of its linear part
 };
 
 /// The outermost cell of the attractor except its place, and the map into the coordinates of the

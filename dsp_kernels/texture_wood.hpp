@@ -15,16 +15,17 @@ inline constexpr double rings = 9;            // rings a width
 inline constexpr double ring_mean = 1.0 / 3;  // of the darkness of a ring
 inline constexpr double ring_share = 0.5;     // of a board's darkness
 inline constexpr double tint_share = 0.28;    // whole boards are darker or lighter
-inline constexpr double fibre_share = 0.22;
+inline constexpr double fibre_share = 0.22;   // fibres, of a board's darkness
+/// Darkness of wood from far away.
 inline constexpr double mean = ring_share * ring_mean + (tint_share + fibre_share) / 2;
-inline constexpr double fibre_length = 1.0 / 1.5;
-inline constexpr double fibre_width = 1.0 / 40;
-inline constexpr double wobble_length = 2.5;  // rings are no circles
-inline constexpr double wobble_width = 0.7;
-inline constexpr double wobble = 0.6;       // of them, in rings
-inline constexpr double seam = 1.0 / 50;    // the gap between boards
-inline constexpr double seam_depth = 0.7;   // how much of the light is lost in it
-inline constexpr double least_ring = 0.15;  // rings are no sharper, in rings
+inline constexpr double fibre_length = 1.0 / 1.5;  // along the board
+inline constexpr double fibre_width = 1.0 / 40;    // across it
+inline constexpr double wobble_length = 2.5;       // rings are no circles
+inline constexpr double wobble_width = 0.7;        // across the board
+inline constexpr double wobble = 0.6;              // of them, in rings
+inline constexpr double seam = 1.0 / 50;           // the gap between boards
+inline constexpr double seam_depth = 0.7;          // how much of the light is lost in it
+inline constexpr double least_ring = 0.15;         // rings are no sharper, in rings
 inline constexpr double least_seam = 1e-3;  // spots are no narrower: digits of the seam's filter
 inline constexpr double widest = 1024;      // wider spots show nothing but the mean
 }  // namespace wood
@@ -84,10 +85,10 @@ template <NodeLike Node, class Real = typename Node::Real>
 /// A spot on a board: from its left end and lower edge, in widths of a board.
 template <class Real>
 struct BoardSpot {
-    Real x;
-    Real y;
-    Real wide_x;  // extent of the spot
-    Real wide_y;
+    Real x;               // along the board
+    Real y;               // across it
+    Real wide_x;          // extent of the spot
+    Real wide_y;          // of the spot, across
     std::uint32_t board;  // a number that is the board's own
 };
 

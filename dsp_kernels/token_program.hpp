@@ -10,10 +10,12 @@ namespace pxm::kernels {
 
 /// The token: how many nodes it has visited, and over how many links it came.
 struct Token {
-    std::uint32_t visited;
-    std::uint32_t hops;
+    std::uint32_t visited;  // nodes
+    std::uint32_t hops;     // links
 
+    /// As it is sent: hops in the high half.
     [[nodiscard]] constexpr std::uint32_t word() const noexcept { return hops << 16 | visited; }
+    /// As it was received.
     [[nodiscard]] static constexpr Token from_word(std::uint32_t word) noexcept {
         return {word & 0xFFFF, word >> 16};
     }
@@ -22,6 +24,7 @@ struct Token {
 /// One node of the program. Node 0 makes the token in its first step.
 class TokenNode {
   public:
+    /// Of an array of that size.
     TokenNode(int column, int row, int columns, int rows) noexcept
         : column_(column), row_(row), columns_(columns), rows_(rows) {}
 

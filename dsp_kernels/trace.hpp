@@ -18,6 +18,7 @@ namespace pxm::kernels {
 
 /// A member that only some tracers have.
 struct Nothing {};
+/// `Member`, or nothing that takes room.
 template <bool wanted, class Member>
 using OnlyIf = std::conditional_t<wanted, Member, Nothing>;
 
@@ -25,8 +26,9 @@ using OnlyIf = std::conditional_t<wanted, Member, Nothing>;
 template <Features features, NodeLike Node>
 class Tracer {
   public:
-    using Real = typename Node::Real;
+    using Real = typename Node::Real;  // of the node
 
+    /// Adds to `result`; all must outlive it.
     Tracer(Node& node, const FrameConstants<Real>& frame, Heap<Node>& heap,
            PixelResult<Real>& result) noexcept
         : node_(node), frame_(frame), heap_(heap), result_(result) {}

@@ -7,19 +7,22 @@
 
 namespace pxm::kernels {
 
+/// A vector, or a point.
 template <class Real>
 struct Vec3 {
-    Real x{};
-    Real y{};
-    Real z{};
+    Real x{};  // to the right
+    Real y{};  // up
+    Real z{};  // away from the viewer
 };
 
+/// a . b.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Real dot(Node& node, const Vec3<Real>& a, const Vec3<Real>& b) noexcept {
     node.tally(Operation::dot_product, 1);
     return sum_of_products(a.x, b.x, a.y, b.y, a.z, b.z);
 }
 
+/// a - b.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Vec3<Real> subtract(Node& node, const Vec3<Real>& a, const Vec3<Real>& b) noexcept {
     node.tally(Operation::multiply_add, 3);
@@ -34,12 +37,14 @@ template <NodeLike Node, class Real = typename Node::Real>
     return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
 }
 
+/// s a.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] Vec3<Real> scale(Node& node, Real s, const Vec3<Real>& a) noexcept {
     node.tally(Operation::multiply_add, 3);
     return {s * a.x, s * a.y, s * a.z};
 }
 
+/// -a.
 template <class Real>
 [[nodiscard]] Vec3<Real> negate(const Vec3<Real>& a) noexcept {
     return {-a.x, -a.y, -a.z};

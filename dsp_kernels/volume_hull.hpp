@@ -16,6 +16,7 @@ struct PlaneCrossing {
     Real slope;  // negative: into the half-space; zero: along the plane, t is the height below it
 };
 
+/// Of one of a hull's planes; `from_center` is the ray's origin from the volume's centre.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] PlaneCrossing<Real> cross_plane(Node& node, const Vec3<Real>& from_center,
                                               const Vec3<Real>& direction,

@@ -12,8 +12,8 @@ namespace pxm::kernels {
 /// A ray in the box's own coordinates: its centre is the origin, its faces lie at -1 and 1.
 template <class Real>
 struct BoxRay {
-    Vec3<Real> origin;
-    Vec3<Real> direction;
+    Vec3<Real> origin;     // where t = base
+    Vec3<Real> direction;  // for a unit of t
 };
 
 /// How far v reaches along each of the three axes, in half lengths of the box.
@@ -23,6 +23,7 @@ template <NodeLike Node, class Real = typename Node::Real>
     return {dot(node, v, axes.rows[0]), dot(node, v, axes.rows[1]), dot(node, v, axes.rows[2])};
 }
 
+/// The ray in the coordinates of a follow set's box.
 template <NodeLike Node, class Real = typename Node::Real>
 [[nodiscard]] BoxRay<Real> to_oriented_box(Node& node, const Ray<Real>& ray,
                                            std::uint32_t follow_set) noexcept {

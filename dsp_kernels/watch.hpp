@@ -12,6 +12,7 @@ enum class CellEvent { met, missed, expanded, known, terminal, capped, dropped, 
 /// What a ray is for.
 enum class RayKind { eye, mirror, light };
 
+/// Tells a node that is watched what happened to a cell.
 template <class Node>
 void watch(Node& node, CellEvent event, const Cell<typename Node::Real>& cell) noexcept {
     if constexpr (Node::watched) node.watch(event, cell);

@@ -13,8 +13,9 @@ inline constexpr int word_capacity = 50;  // 32-bit words; makes a float cell 31
 /// Symbols of `bits` bits each, first symbol in the highest bits; a symbol never straddles two
 /// words. Words beyond the last used one are not kept clean.
 struct CellWord {
-    std::array<std::uint32_t, word_capacity> packed;
+    std::array<std::uint32_t, word_capacity> packed;  // the symbols
 
+    /// Symbols of so many bits.
     [[nodiscard]] static constexpr std::uint32_t per_word(std::uint32_t bits) noexcept {
         return 32 / bits;
     }
@@ -36,6 +37,7 @@ struct CellWord {
         const std::uint32_t before = slot == 0 ? 0 : target >> (shift + bits) << (shift + bits);
         target = before | symbol << shift;
     }
+    /// Symbol number `place`.
     [[nodiscard]] std::uint32_t get(std::uint32_t place, std::uint32_t bits) const noexcept {
         const std::uint32_t shift = 32 - bits * (place % per_word(bits) + 1);
         return packed[place / per_word(bits)] >> shift & ((1U << bits) - 1);

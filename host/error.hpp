@@ -10,12 +10,12 @@
 
 namespace pxm::host {
 
-enum class ErrorKind {
-    failed,         // of the run: nobody is to blame for it
-    setting,        // an option, or another value that the caller gave
-    scene,          // the text of a scene, or of a file to import
-    file,           // a file that cannot be read or written
-    machine_limit,  // a memory of the simulated machine is too small
+enum class ErrorKind {  // what kind of thing is wrong: the program's exit code is made of it
+    failed,             // of the run: nobody is to blame for it
+    setting,            // an option, or another value that the caller gave
+    scene,              // the text of a scene, or of a file to import
+    file,               // a file that cannot be read or written
+    machine_limit,      // a memory of the simulated machine is too small
 };
 
 /// One thing that is wrong in a text, and where it stands.

@@ -17,17 +17,17 @@ namespace pxm {
 
 /// Cycles of one operation, hand-scheduled and with latencies paid by no-ops.
 struct OperationCost {
-    double tight;
-    double plain;
+    double tight;  // cycles, scheduled by hand
+    double plain;  // cycles, with no-ops
 };
 
 /// An operation of the default table: what it costs, how surely that is known, and from where.
 struct CostEntry {
-    Operation operation;
-    OperationCost cost;
-    Certainty certainty;
-    std::string_view source;
-    std::string_view sentence;
+    Operation operation;        // which one
+    OperationCost cost;         // cycles
+    Certainty certainty;        // how surely they are known
+    std::string_view source;    // where they are from: a key of docs/references.md, or a document
+    std::string_view sentence;  // what that says, or how it was derived
 };
 
 /// The default table, in the order of Operation.
@@ -35,8 +35,8 @@ struct CostEntry {
 
 /// Cycles per operation and what stands between the two columns.
 struct CostTable {
-    std::array<OperationCost, operation_count> operations{};
-    double plain_share = 0.5;  // A: 0 all tight, 1 all plain
+    std::array<OperationCost, operation_count> operations{};  // by Operation
+    double plain_share = 0.5;                                 // A: 0 all tight, 1 all plain
     /// A: multiplies every instruction, but no wait for memory. Tallies do not tell the inner loop,
     /// which Hart wrote in assembler, from the rest, which a compiler made: so one factor for all.
     double compiled_code_factor = 1;
@@ -54,11 +54,11 @@ struct CostTable {
 
 /// A cost table and where it is from: "default", or a file's path.
 struct CostModel {
-    std::string name;
-    CostTable table;
+    std::string name;  // "default", or a file's path
+    CostTable table;   // what operations cost
 };
 
-[[nodiscard]] CostModel default_cost_model();
+[[nodiscard]] CostModel default_cost_model();  // default_cost_table() under its name
 
 /// Cycles (200 ns each) that a tally stands for, rounded to the nearest whole cycle.
 [[nodiscard]] std::uint64_t cycles(const Tally& tally, const CostTable& table) noexcept;

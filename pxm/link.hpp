@@ -16,7 +16,8 @@
 
 namespace pxm {
 
-enum class Direction : std::uint8_t { north, south, east, west };
+enum class Direction : std::uint8_t { north, south, east, west };  // of a link, from the node
+/// In the order of Direction.
 inline constexpr std::array<Direction, 4> all_directions{Direction::north, Direction::south,
                                                          Direction::east, Direction::west};
 
@@ -40,7 +41,8 @@ class Fifo {
   public:
     static constexpr std::size_t capacity = 16;  // A, words
 
-    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }  // there is no word in it
+    /// There is no room in it.
     [[nodiscard]] bool full() const noexcept { return size_ == capacity; }
     /// False, and nothing is changed, if the buffer is full.
     [[nodiscard]] bool put(std::uint32_t word) noexcept;
@@ -74,11 +76,12 @@ class Ports {
 /// All links of an array. Nodes are numbered row * columns + column; north is the row above.
 class Torus {
   public:
-    explicit Torus(const Model& model);
+    explicit Torus(const Model& model);  // of a model's array
 
-    [[nodiscard]] int nodes() const noexcept { return columns_ * rows_; }
+    [[nodiscard]] int nodes() const noexcept { return columns_ * rows_; }  // of the array
     /// The node next to this one; the array's edges are joined.
     [[nodiscard]] int neighbour(int node, Direction direction) const noexcept;
+    /// The links of a node; Precondition: it is one of nodes().
     [[nodiscard]] Ports& ports(int node) noexcept { return ports_[static_cast<std::size_t>(node)]; }
 
     /// Takes sent words to their neighbours, as many as there is room for; the others stay.

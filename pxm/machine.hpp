@@ -18,9 +18,11 @@
 
 namespace pxm {
 
+/// The nodes of a model, computing with Real: dsp32::Float, float or double.
 template <class Real>
 class Machine {
   public:
+    /// With nodes as they are when they are switched on.
     explicit Machine(const Model& model) : model_(model) {
         for (int row = 0; row < model.rows; ++row) {
             for (int column = 0; column < model.columns; ++column) {
@@ -29,8 +31,8 @@ class Machine {
         }
     }
 
-    [[nodiscard]] const Model& model() const noexcept { return model_; }
-    [[nodiscard]] std::span<Node<Real>> nodes() noexcept { return nodes_; }
+    [[nodiscard]] const Model& model() const noexcept { return model_; }     // as it was given
+    [[nodiscard]] std::span<Node<Real>> nodes() noexcept { return nodes_; }  // row by row
 
     /// Makes room in every front buffer for the node's share of a width x height raster.
     [[nodiscard]] std::optional<Fault> open_frame(int width, int height) {

@@ -17,10 +17,12 @@ namespace pxm {
 /// used.
 class Bank {
   public:
+    /// An empty bank; `name` must outlive it.
     Bank(std::string_view name, std::int64_t limit_bytes)
         : name_(name), limit_bytes_(limit_bytes) {}
 
-    [[nodiscard]] std::string_view name() const noexcept { return name_; }
+    [[nodiscard]] std::string_view name() const noexcept { return name_; }  // as faults call it
+    /// No more can be reserved.
     [[nodiscard]] std::int64_t limit_bytes() const noexcept { return limit_bytes_; }
     /// The largest size reserved so far.
     [[nodiscard]] std::int64_t used_bytes() const noexcept { return used_bytes_; }

@@ -15,15 +15,15 @@ enum class Certainty : char { seen = 'S', derived = 'D', recalled = 'R', assumed
 
 /// One member of the family. Node (i,j) owns the pixels with x mod columns = i and y mod rows = j.
 struct Model {
-    std::string_view name;
-    int columns;  // of the pixel node array
-    int rows;
-    Certainty array_certainty;
-    int natural_width;  // of the natural raster, pixels
-    int natural_height;
-    Certainty raster_certainty;
+    std::string_view name;       // "964dX"
+    int columns;                 // of the pixel node array
+    int rows;                    // of the same
+    Certainty array_certainty;   // of columns and rows
+    int natural_width;           // of the natural raster, pixels
+    int natural_height;          // of the same
+    Certainty raster_certainty;  // of both
 
-    [[nodiscard]] constexpr int nodes() const { return columns * rows; }
+    [[nodiscard]] constexpr int nodes() const { return columns * rows; }  // of the array
     /// D: of the natural raster.
     [[nodiscard]] constexpr int pixels_per_node() const {
         return natural_width * natural_height / nodes();
@@ -38,12 +38,13 @@ inline constexpr double instruction_seconds = 200e-9;  // D: 5 MIPS, Ch. 19
 
 /// A memory of a pixel node, the same in all models.
 struct Memory {
-    std::string_view name;
-    std::int64_t bytes;
-    Certainty certainty;
-    std::string_view use;  // what it holds
+    std::string_view name;  // as faults call it
+    std::int64_t bytes;     // that there are
+    Certainty certainty;    // of the bytes
+    std::string_view use;   // what it holds
 };
 
+/// All of them.
 inline constexpr std::array<Memory, 5> node_memories{{
     {"fast memory", fast_memory_bytes, Certainty::seen,
      "program, constants, stack, order of the heap"},

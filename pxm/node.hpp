@@ -17,8 +17,8 @@ namespace pxm {
 
 /// Place of a node in the array: it owns the pixels with x mod columns = column, y mod rows = row.
 struct NodeId {
-    int column = 0;
-    int row = 0;
+    int column = 0;  // 0 to columns - 1
+    int row = 0;     // 0 to rows - 1
     bool operator==(const NodeId&) const = default;
 };
 
@@ -31,16 +31,17 @@ struct NodeId {
 template <class Real_>
 class Node {
   public:
-    using Real = Real_;
+    using Real = Real_;                     // what it computes with
     static constexpr bool watched = false;  // no listener to the search (host::WatchedNode has one)
 
-    Node(NodeId id, int index) : id_(id), index_(index) {}
+    Node(NodeId id, int index) : id_(id), index_(index) {}  // with memories that are empty
 
-    [[nodiscard]] NodeId id() const noexcept { return id_; }
+    [[nodiscard]] NodeId id() const noexcept { return id_; }  // its place
     /// row * columns + column.
     [[nodiscard]] int index() const noexcept { return index_; }
 
     // --- the shape database in the back frame buffer ---------------------------------------------
+    /// The word at a word address, which is counted; beyond the end 0, and the node halts.
     [[nodiscard]] std::uint32_t shape_word(std::uint32_t address) noexcept {
         tally_.add(
             address == next_shape_ ? Operation::shape_sequential : Operation::shape_scattered, 1);
@@ -52,6 +53,7 @@ class Node {
         }
         return words[address];
     }
+    /// The number at a word address, which is counted as its words are.
     [[nodiscard]] Real shape_real(std::uint32_t address) noexcept {
         std::array<std::uint32_t, real_words<Real>> words;
         for (std::uint32_t i = 0; i < real_words<Real>; ++i) words[i] = shape_word(address + i);
@@ -59,6 +61,7 @@ class Node {
     }
 
     // --- texture memory --------------------------------------------------------------------------
+    /// The word at a word address, which is counted; beyond the end 0, and the node halts.
     [[nodiscard]] std::uint32_t texture_word(std::uint32_t address) noexcept {
         tally_.add(
             address == next_texture_ ? Operation::texture_sequential : Operation::texture_scattered,
@@ -83,10 +86,13 @@ class Node {
     }
 
     // --- the heap: its entries in z-buffer memory, their order in fast memory --------------------
+    /// Entries, 0 before reserve_heap().
     [[nodiscard]] int heap_capacity() const noexcept { return heap_capacity_; }
+    /// The slots in the heap's order.
     [[nodiscard]] std::uint32_t* heap_order() noexcept {
         return fast_memory_.records<std::uint32_t>(program_bytes_);
     }
+    /// The entries by slot; Precondition: records of the size that was reserved.
     template <class Record>
     [[nodiscard]] Record* heap_records() noexcept {
         return zbuffer_.records<Record>(0);
@@ -106,11 +112,12 @@ class Node {
     }
 
     // --- banks -----------------------------------------------------------------------------------
+    /// Program, heap's order, stack.
     [[nodiscard]] Bank& fast_memory() noexcept { return fast_memory_; }
-    [[nodiscard]] Bank& front_buffer() noexcept { return front_buffer_; }
-    [[nodiscard]] Bank& back_buffer() noexcept { return back_buffer_; }
-    [[nodiscard]] Bank& zbuffer() noexcept { return zbuffer_; }
-    [[nodiscard]] Bank& texture() noexcept { return texture_; }
+    [[nodiscard]] Bank& front_buffer() noexcept { return front_buffer_; }  // the picture
+    [[nodiscard]] Bank& back_buffer() noexcept { return back_buffer_; }    // the shape database
+    [[nodiscard]] Bank& zbuffer() noexcept { return zbuffer_; }            // entries of the heap
+    [[nodiscard]] Bank& texture() noexcept { return texture_; }            // textures
 
     /// Stores a 32-bit pixel of the front frame buffer; `pixel` counts the node's own pixels.
     void write_pixel(std::uint32_t pixel, std::uint32_t rgba) noexcept {
@@ -125,8 +132,9 @@ class Node {
     }
 
     // --- counts and faults -----------------------------------------------------------------------
+    /// Counts operations of one kind.
     void tally(Operation operation, std::uint64_t times) noexcept { tally_.add(operation, times); }
-    [[nodiscard]] const Tally& tally() const noexcept { return tally_; }
+    [[nodiscard]] const Tally& tally() const noexcept { return tally_; }  // what was counted
     /// The access that halted this node, if one did.
     [[nodiscard]] const std::optional<Fault>& halted() const noexcept { return halted_; }
 

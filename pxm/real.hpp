@@ -44,22 +44,27 @@ template <IeeeReal R>
     return addend + a1 * b1 + a2 * b2 + a3 * b3;
 }
 
+/// 1 / x.
 template <IeeeReal R>
 [[nodiscard]] constexpr R reciprocal(R x) noexcept {
     return R{1} / x;
 }
+/// The root of x.
 template <IeeeReal R>
 [[nodiscard]] R square_root(R x) noexcept {
     return std::sqrt(x);
 }
+/// 1 / the root of x.
 template <IeeeReal R>
 [[nodiscard]] R reciprocal_square_root(R x) noexcept {
     return R{1} / std::sqrt(x);
 }
+/// |x|.
 template <IeeeReal R>
 [[nodiscard]] constexpr R absolute(R x) noexcept {
     return x < R{0} ? -x : x;
 }
+/// x itself.
 template <IeeeReal R>
 [[nodiscard]] constexpr double to_double(R x) noexcept {
     return static_cast<double>(x);

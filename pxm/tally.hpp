@@ -35,7 +35,7 @@ enum class Operation : std::uint8_t {
     texture_sequential,  // a word of the texture memory next to the one read before
     texture_scattered,   // a word elsewhere in the texture memory
 };
-inline constexpr std::size_t operation_count = 23;
+inline constexpr std::size_t operation_count = 23;  // kinds of operations
 
 /// Names as they stand in cost tables and statistics.
 inline constexpr std::array<std::string_view, operation_count> operation_names{
@@ -81,11 +81,13 @@ inline constexpr std::array<std::string_view, operation_count> operation_names{
 
 /// Counts of one node.
 struct Tally {
-    std::array<std::uint64_t, operation_count> counts{};
+    std::array<std::uint64_t, operation_count> counts{};  // by Operation
 
+    /// Counts operations of one kind.
     void add(Operation operation, std::uint64_t times) noexcept {
         counts[static_cast<std::size_t>(operation)] += times;
     }
+    /// Adds what another has counted.
     void add(const Tally& other) noexcept {
         for (std::size_t i = 0; i < operation_count; ++i) counts[i] += other.counts[i];
     }

@@ -10,27 +10,34 @@
 
 namespace pxm::kernels {
 
+/// A node of which a compiler for small processors can tell how large its program is.
 class MeasuredNode {
   public:
-    using Real = float;
-    static constexpr bool watched = false;
+    using Real = float;                     // of the node
+    static constexpr bool watched = false;  // no listener to the search
 
+    /// By word address, as all three.
     [[nodiscard]] std::uint32_t shape_word(std::uint32_t address) const noexcept {
         return back_buffer_[address];
     }
+    /// The same as a number.
     [[nodiscard]] float shape_real(std::uint32_t address) const noexcept {
         return std::bit_cast<float>(back_buffer_[address]);
     }
+    /// Of the texture memory.
     [[nodiscard]] std::uint32_t texture_word(std::uint32_t address) const noexcept {
         return texture_[address];
     }
-    [[nodiscard]] int heap_capacity() const noexcept { return heap_capacity_; }
+    [[nodiscard]] int heap_capacity() const noexcept { return heap_capacity_; }  // entries
+    /// Slots in the heap's order.
     [[nodiscard]] std::uint32_t* heap_order() const noexcept { return heap_order_; }
+    /// Entries by slot.
     template <class Record>
     [[nodiscard]] Record* heap_records() const noexcept {
         return static_cast<Record*>(zbuffer_);
     }
-    void tally(Operation, std::uint64_t) const noexcept {}
+    void tally(Operation, std::uint64_t) const noexcept {}  // counts nothing
+    /// A pixel of the front buffer.
     void write_pixel(std::uint32_t pixel, std::uint32_t rgba) const noexcept {
         front_buffer_[pixel] = rgba;
     }

@@ -6,6 +6,7 @@
 
 namespace pxm::host {
 
+/// What can be written of a pixel beside its colour.
 enum class Aov { z, node, cycles, volumes, level, heap, alpha, object, word, normal };
 
 /// The name on the command line.
@@ -16,7 +17,7 @@ enum class Aov { z, node, cycles, volumes, level, heap, alpha, object, word, nor
 /// A channel of the file. Blender drops a channel whose name is a bare word, and knows a vector by
 /// its capitals; other programs take any name (docs/pictures.md).
 struct AovChannel {
-    std::string name;
+    std::string name;      // in files of today
     std::string old_name;  // in files of pxm 0.1.0; the same where it did not change
 };
 

@@ -138,6 +138,7 @@ class LoadedScene {
 /// The whole crop window, loaded for this one run.
 [[nodiscard]] EngineResult run_on_machine(const CompiledScene& scene, const EngineChoice& choice,
                                           const RunControl& control);
+/// By load_reference().
 [[nodiscard]] EngineResult run_reference(const CompiledScene& scene, const EngineChoice& choice,
                                          const RunControl& control);
 

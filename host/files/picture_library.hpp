@@ -31,34 +31,39 @@ class FileBytes {
 
 /// What a picture says of itself. Nothing here was checked.
 struct PictureSpec {
-    std::int64_t width = 0;
-    std::int64_t height = 0;
-    std::int64_t depth = 1;
-    std::int64_t tile_width = 0;  // 0: lines
-    std::int64_t tile_height = 0;
-    std::int64_t tile_depth = 0;
-    std::int64_t channel_count = 0;
+    std::int64_t width = 0;             // pixels
+    std::int64_t height = 0;            // pixels
+    std::int64_t depth = 1;             // slices; 1 of all that pxm reads
+    std::int64_t tile_width = 0;        // 0: lines
+    std::int64_t tile_height = 0;       // pixels
+    std::int64_t tile_depth = 0;        // slices
+    std::int64_t channel_count = 0;     // how many values a pixel has
     std::vector<std::string> channels;  // their names
     bool deep = false;                  // several values a pixel
     bool floats = false;                // else whole numbers
     std::vector<std::string> half;      // of the channels of an EXR: floats of 16 bits
     // Where the picture lies in a larger one that an EXR tells of; 0 wide: it is all.
-    std::int64_t x = 0, y = 0, whole_width = 0, whole_height = 0;
-    std::string color_space;  // "sRGB" unless the file says another
-    Metadata metadata;
+    std::int64_t x = 0;             // of the first column
+    std::int64_t y = 0;             // of the first row
+    std::int64_t whole_width = 0;   // pixels
+    std::int64_t whole_height = 0;  // pixels
+    std::string color_space;        // "sRGB" unless the file says another
+    Metadata metadata;              // all else that is told as text
 };
 
 /// A picture that is being read. Messages are the library's own words.
 class PictureInput {
   public:
     virtual ~PictureInput() = default;
-    [[nodiscard]] virtual const PictureSpec& spec() const = 0;
+    [[nodiscard]] virtual const PictureSpec& spec() const = 0;  // known from the start
     /// Reads the rows from `first` to before `end`, counted from 0, of the first `channels`
     /// channels, interleaved. A picture in tiles is read by whole rows of tiles.
     [[nodiscard]] virtual bool read_floats(int first, int end, int channels, float* values) = 0;
+    /// The same as bytes.
     [[nodiscard]] virtual bool read_bytes(int first, int end, int channels,
                                           unsigned char* values) = 0;
-    [[nodiscard]] virtual std::string error() = 0;
+    [[nodiscard]] virtual std::string error() = 0;  // why the last call failed
+    /// Which reader it is, by the library's name.
     [[nodiscard]] virtual std::string format() const = 0;
 };
 
@@ -68,15 +73,19 @@ class PictureOutput {
     virtual ~PictureOutput() = default;
     /// Whether it will write to `bytes`, which must outlive it, instead of a file of its own.
     [[nodiscard]] virtual bool takes(FileBytes& bytes) = 0;
+    /// Begins a file; false: error() says why.
     [[nodiscard]] virtual bool open(const std::string& path, const PictureSpec& spec) = 0;
+    /// Appends the rows from `first` to before `end`; false: error() says why.
     [[nodiscard]] virtual bool write_floats(int first, int end, const float* values) = 0;
+    /// The same of bytes.
     [[nodiscard]] virtual bool write_bytes(int first, int end, const unsigned char* values) = 0;
-    [[nodiscard]] virtual bool close() = 0;
-    [[nodiscard]] virtual std::string error() = 0;
+    [[nodiscard]] virtual bool close() = 0;         // ends the file; false: error() says why
+    [[nodiscard]] virtual std::string error() = 0;  // why the last call failed
+    /// Which writer it is, by the library's name.
     [[nodiscard]] virtual std::string format() const = 0;
 };
 
-class PictureLibrary {
+class PictureLibrary {  // what opens pictures
   public:
     virtual ~PictureLibrary() = default;
     /// Opens a picture through a stream, with the reader of that name; null: `error` says why.

@@ -19,8 +19,8 @@ class RegularFile {
     RegularFile(const RegularFile&) = delete;
     RegularFile& operator=(const RegularFile&) = delete;
 
-    [[nodiscard]] const std::string& path() const { return path_; }
-    [[nodiscard]] int descriptor() const { return descriptor_; }
+    [[nodiscard]] const std::string& path() const { return path_; }  // as messages call it
+    [[nodiscard]] int descriptor() const { return descriptor_; }     // of the open file
     /// Its size when it was opened.
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
     /// At most `count` bytes from `offset`; fewer where the file ends. Throws as the constructor.

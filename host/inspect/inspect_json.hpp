@@ -8,6 +8,7 @@
 
 namespace pxm::host {
 
+/// The whole text, with an end of line.
 [[nodiscard]] std::string inspect_json(const Inspection& inspection);
 
 }  // namespace pxm::host

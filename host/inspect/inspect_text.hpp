@@ -7,6 +7,6 @@
 
 namespace pxm::host {
 
-[[nodiscard]] std::string inspect_text(const Inspection& inspection);
+[[nodiscard]] std::string inspect_text(const Inspection& inspection);  // what `pxm inspect` prints
 
 }  // namespace pxm::host

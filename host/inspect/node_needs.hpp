@@ -12,9 +12,9 @@
 
 namespace pxm::host {
 
-struct NodeNeeds {
-    std::string model;  // of the machine that the bytes are for
-    NodeProgram program;
+struct NodeNeeds {                           // of one node
+    std::string model;                       // of the machine that the bytes are for
+    NodeProgram program;                     // that is loaded into it
     MachineStatistics memory;                // its banks alone
     bool over_limit = false;                 // a memory would be too small
     Rerooted rerooted;                       // cells near the eye that became objects

@@ -34,8 +34,8 @@ struct Affine {
 /// Canonical maps of the scene language. Angles in degrees: z turns +x toward +y, x turns +y
 /// toward +z, y turns +z toward +x.
 [[nodiscard]] Affine scaling(const glm::dvec3& factors);
-[[nodiscard]] Affine translation(const glm::dvec3& offset);
-enum class Axis { x, y, z };
-[[nodiscard]] Affine rotation(Axis axis, double degrees);
+[[nodiscard]] Affine translation(const glm::dvec3& offset);  // x + offset
+enum class Axis { x, y, z };                                 // of space
+[[nodiscard]] Affine rotation(Axis axis, double degrees);    // about an axis through 0
 
 }  // namespace pxm::host

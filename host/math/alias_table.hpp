@@ -7,7 +7,7 @@
 
 namespace pxm::host {
 
-class AliasTable {
+class AliasTable {  // a finite distribution to draw from
   public:
     /// Weights must be finite, not negative and not all zero.
     explicit AliasTable(std::span<const double> weights);

@@ -20,38 +20,45 @@ namespace pxm::host {
 /// A real number r with low <= r <= high. What double cannot hold is between -inf and inf: no
 /// inequality is proven by it.
 struct Bracket {
-    double low = 0;
-    double high = 0;
+    double low = 0;   // the least that r may be
+    double high = 0;  // the most
 
     Bracket() = default;
     /// The number x itself: no double is too good to be a bracket.
     Bracket(double x) : Bracket(x, x) {}
+    /// A number between the two.
     Bracket(double from, double to) : low(from), high(to) {
         if (std::isfinite(from) && std::isfinite(to)) return;
         low = -std::numeric_limits<double>::infinity();
         high = std::numeric_limits<double>::infinity();
     }
 
+    /// Whether anything is known of it.
     [[nodiscard]] bool is_finite() const { return std::isfinite(low); }
+    /// Whether it is 0 for certain.
     [[nodiscard]] bool is_zero() const { return low == 0 && high == 0; }
     /// No smaller than |r|.
     [[nodiscard]] double magnitude() const { return std::max(-low, high); }
-    [[nodiscard]] double middle() const { return low / 2 + high / 2; }
+    [[nodiscard]] double middle() const { return low / 2 + high / 2; }  // a number within
 };
 
+/// Nothing is known.
 [[nodiscard]] inline Bracket anything() {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 }
 
-[[nodiscard]] inline Bracket operator-(const Bracket& a) { return {-a.high, -a.low}; }
+[[nodiscard]] inline Bracket operator-(const Bracket& a) { return {-a.high, -a.low}; }  // -r
+/// The sum.
 [[nodiscard]] inline Bracket operator+(const Bracket& a, const Bracket& b) {
     // Zeros stay zeros, here and in products: the powers of a nilpotent map must vanish.
     if (a.is_zero()) return b;
     if (b.is_zero()) return a;
     return {below(a.low + b.low), above(a.high + b.high)};
 }
+/// The difference.
 [[nodiscard]] inline Bracket operator-(const Bracket& a, const Bracket& b) { return a + -b; }
 
+/// The product.
 [[nodiscard]] inline Bracket operator*(const Bracket& a, const Bracket& b) {
     if (!a.is_finite() || !b.is_finite()) return anything();
     if (a.is_zero() || b.is_zero()) return {};
@@ -63,6 +70,7 @@ struct Bracket {
             above(std::max(std::max(p, q), std::max(r, s)))};
 }
 
+/// The quotient; anything, if the divisor may be 0.
 [[nodiscard]] inline Bracket operator/(const Bracket& a, const Bracket& b) {
     if (!a.is_finite() || !b.is_finite() || (b.low <= 0 && b.high >= 0)) return anything();
     return a * Bracket{below(1 / b.high), above(1 / b.low)};

@@ -8,10 +8,10 @@ namespace pxm::host {
 
 /// A number with its exact text: deep zooms need more digits than a double holds.
 struct Decimal {
-    double value = 0;
+    double value = 0;  // the nearest double
     std::string text;  // as written; empty if it was computed by an expression
     bool operator==(const Decimal& other) const { return value == other.value; }
 };
-using DecimalVec3 = std::array<Decimal, 3>;
+using DecimalVec3 = std::array<Decimal, 3>;  // x, y and z
 
 }  // namespace pxm::host

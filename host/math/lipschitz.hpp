@@ -15,7 +15,7 @@ struct SingularValues {
     std::array<glm::dvec3, 3> input;   // unit: direction that is stretched by values[i] ...
     std::array<glm::dvec3, 3> output;  // ... and its image's unit direction: x T
 };
-[[nodiscard]] SingularValues singular_values(const glm::dmat3& linear);
+[[nodiscard]] SingularValues singular_values(const glm::dmat3& linear);  // of the linear part
 
 /// The largest singular value: Lip w by polar decomposition (Sec. 16.2).
 [[nodiscard]] double lipschitz_constant(const Affine& map);
@@ -24,6 +24,7 @@ struct SingularValues {
 /// The cube root of |det T|, a lower bound (Eq. 16.3, erratum 6).
 [[nodiscard]] double determinant_constant(const Affine& map);
 
+/// The narrowest kind that a map is of.
 enum class MapKind { homothety, similitude, affine, singular };
 /// homothety: uniform scale and translation; similitude: with rotation or reflection;
 /// singular: smallest singular value below 1e-12 of the largest.

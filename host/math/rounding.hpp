@@ -46,8 +46,8 @@ inline constexpr double underflow = 0x1p-1040;
 
 /// A computed number, and a bound of what the real one may be more for rounding.
 struct Rounded {
-    double value = 0;
-    double rounding = 0;
+    double value = 0;     // as double computes it
+    double rounding = 0;  // what the real number may be more, not negative
     /// No smaller than the real number.
     [[nodiscard]] double at_most() const { return above(value + rounding); }
 };

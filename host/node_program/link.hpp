@@ -12,15 +12,15 @@ namespace pxm::host {
 
 /// A module of the node program, and why it is in or left out.
 struct ProgramModule {
-    std::string name;
-    std::string because;
+    std::string name;        // of the module
+    std::string because;     // of what it is in or left out
     std::int64_t bytes = 0;  // program and constants, as measured
 };
 
 /// What is loaded into every node: all of it lies in fast memory.
 struct NodeProgram {
-    std::vector<ProgramModule> modules;
-    std::vector<ProgramModule> left_out;
+    std::vector<ProgramModule> modules;      // that are in
+    std::vector<ProgramModule> left_out;     // that are not
     std::int64_t stack_bytes = 0;            // of the deepest chain of calls
     std::vector<std::string> deepest_calls;  // that chain, from the outside in
     std::int64_t heap_order_bytes = 0;       // the heap's slot numbers, 4 bytes an entry

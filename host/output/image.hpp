@@ -27,8 +27,11 @@ struct ExtraChannels {
 
 /// Metadata that says how an EXR is written: the names of channels to be kept in 16 bits, with
 /// commas between them (`color` and those of --aov), and the image that the window is a part of.
-inline constexpr char half_metadata[] = "half", whole_metadata[] = "image_size";
-inline constexpr char half_color[] = "color";  // R, G, B and A
+inline constexpr char half_metadata[] = "half";
+/// The same of the image.
+inline constexpr char whole_metadata[] = "image_size";
+/// In `half`: R, G, B and A.
+inline constexpr char half_color[] = "color";
 
 /// A picture that is written while it is rendered, whole or not at all. EXR and HDR hold linear
 /// floats; other formats hold 8 bits with the sRGB curve. An EXR has R, G, B and A, which is 1 as

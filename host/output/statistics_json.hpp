@@ -7,6 +7,7 @@
 
 namespace pxm::host {
 
+/// The whole text, with an end of line.
 [[nodiscard]] std::string statistics_json(const Statistics& statistics);
 
 }  // namespace pxm::host

@@ -78,6 +78,7 @@ struct BlendCommand {  // a map on the way between two
     double share = 0;  // 0: `from`
     bool operator==(const BlendCommand&) const = default;
 };
+/// One step of a map, of whatever kind.
 using CommandKind = std::variant<ScaleCommand, RotateCommand, TranslateCommand, MatrixCommand,
                                  TetrahedronCommand, BlendCommand>;
 struct Command {        // one step of a map
@@ -90,7 +91,7 @@ struct MapBlock {                     // one map of a system
     std::string name;                 // empty: known by its number only
     std::vector<Command> commands;    // in the order written
     std::optional<glm::dvec4> color;  // r,g,b,a: on entering the map c = (1-a) c + a (r,g,b)
-    std::optional<double> weight;     // chaos game
+    std::optional<double> weight;     // of the chaos game, 0 or more
     Position position;                // of the word that it begins with
     bool operator==(const MapBlock&) const = default;
 };
@@ -121,18 +122,19 @@ struct BoxVolume {         // a box along the axes
     glm::dvec3 high{1.0};  // and that with the greatest
     bool operator==(const BoxVolume&) const = default;
 };
-struct ConeVolume {
+struct ConeVolume {  // radius 1 at y = 0, apex at (0,1,0)
     bool operator==(const ConeVolume&) const = default;
 };
-struct CylinderVolume {
+struct CylinderVolume {  // radius 1, from y = -1 to y = 1
     bool operator==(const CylinderVolume&) const = default;
 };
-struct HullVolume {
+struct HullVolume {  // an intersection of half-spaces, which is computed
     bool operator==(const HullVolume&) const = default;
 };
-struct AutoVolume {
+struct AutoVolume {  // the kind is found by trial
     bool operator==(const AutoVolume&) const = default;
 };
+/// The volume of an object, as the scene says it.
 using DeclaredVolume =
     std::variant<AutoVolume, SphereVolume, BoxVolume, ConeVolume, CylinderVolume, HullVolume>;
 
@@ -144,12 +146,12 @@ struct ObjectBlock {                       // what is shown, and where
     Position volume_position;              // of its word
     std::vector<Command> commands;         // they place it in the world
     std::optional<glm::dvec4> color;       // r,g,b,a over the base color
-    std::optional<double> opacity;         // below 1 its volumes are translucent
+    std::optional<double> opacity;         // 0 to 1; below 1 its volumes are translucent
     Position opacity_position;             // of its number
-    std::optional<double> diffuse;         // share of diffuse reflection
-    std::optional<double> reflect;         // share of a mirror image
+    std::optional<double> diffuse;         // share of diffuse reflection, 0 to 1
+    std::optional<double> reflect;         // share of a mirror image, 0 to 1
     Position reflect_position;             // of its number
-    std::optional<long> levels;            // stop after so many maps
+    std::optional<long> levels;            // stop after so many maps, 0 or more
     Position position;                     // of the word that it begins with
     bool operator==(const ObjectBlock&) const = default;
 };
@@ -167,7 +169,7 @@ struct PlaneBlock {                          // an endless floor or wall
     std::optional<glm::dvec3> normal;        // across it
     std::optional<glm::dvec3> color;         // linear
     std::vector<TextureReference> textures;  // laid over each other: their colours multiply
-    std::optional<double> reflect;           // share of a mirror image
+    std::optional<double> reflect;           // share of a mirror image, 0 to 1
     Position position;                       // of the word that it begins with
     bool operator==(const PlaneBlock&) const = default;
 };
@@ -180,7 +182,7 @@ struct IfsTexture {   // a flat attractor
     std::string ifs;  // its system
     bool operator==(const IfsTexture&) const = default;
 };
-struct WoodTexture {
+struct WoodTexture {  // boards
     bool operator==(const WoodTexture&) const = default;
 };
 struct TextureBlock {  // what a plane may be covered with
@@ -248,10 +250,14 @@ struct AnimationBlock {
     bool operator==(const AnimationBlock&) const = default;
 };
 
+/// How the normals of a path's cells are weighted (Ch. 17).
 enum class Shading { constant, low_pass, high_pass, facet };
-enum class IntersectMethod { automatic, heap, fast, wide };
-enum class Numeric { dsp32, single, double_ };  // dsp32, float, double
+enum class IntersectMethod { automatic, heap, fast, wide };  // how the first hit is found
+/// What nodes compute with: dsp32, float or double.
+enum class Numeric { dsp32, single, double_ };
+/// How diameters of cells are estimated (Ch. 16).
 enum class LipschitzMethod { automatic, product, determinant, polar };
+/// Bounding volumes of all objects.
 enum class VolumeKind { automatic, sphere, box, oriented, hull };
 /// Opacity bandwidth of local covers, in pixels (Ch. 18).
 struct Covers {
@@ -259,28 +265,28 @@ struct Covers {
     double tau_max = 2;         // larger cells are opaque
     bool operator==(const Covers&) const = default;
 };
-struct CoversOff {
+struct CoversOff {  // none
     bool operator==(const CoversOff&) const = default;
 };
 /// One search a pixel for what covers several places in it, instead of opacity by diameter.
 struct AreaCovers {
     bool operator==(const AreaCovers&) const = default;
 };
-using CoversChoice = std::variant<CoversOff, Covers, AreaCovers>;
+using CoversChoice = std::variant<CoversOff, Covers, AreaCovers>;  // how edges are smoothed
 
 struct RenderBlock {                           // how it is rendered
     std::optional<glm::dvec3> ambient;         // light from everywhere
     std::optional<glm::dvec3> background;      // where nothing is hit
     std::optional<Shading> shading;            // how normals are weighted
     std::optional<CoversChoice> covers;        // local covers
-    std::optional<long> samples;               // eye rays a pixel
+    std::optional<long> samples;               // eye rays a pixel, 1 to 65,536
     std::optional<IntersectMethod> intersect;  // how the first hit is found
     std::optional<Numeric> numeric;            // what nodes compute with
     std::optional<double> detail;              // a cell is small enough at so many pixels
     std::optional<LipschitzMethod> lipschitz;  // how diameters are estimated
     std::optional<VolumeKind> volume;          // of all objects
-    std::optional<long> heap;                  // entries
-    std::optional<long> bounces;               // mirror reflections a ray may take
+    std::optional<long> heap;                  // entries, 1 to 65,536
+    std::optional<long> bounces;               // mirror reflections a ray may take, 0 to 64
     Position position;                         // of the block
     Position covers_position;                  // of directives that may not be supported yet
     Position samples_position;                 // of its number

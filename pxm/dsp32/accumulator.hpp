@@ -13,8 +13,9 @@
 
 namespace pxm::dsp32 {
 
-inline constexpr int accumulator_fraction_bits = 31;
-inline constexpr int adder_fraction_bits = 46;  // of a product of two 24-bit mantissas
+inline constexpr int accumulator_fraction_bits = 31;  // of its mantissa
+inline constexpr int adder_fraction_bits = 46;        // of a product of two 24-bit mantissas
+/// More than a word's mantissa has.
 inline constexpr int guard_bits = accumulator_fraction_bits - word_fraction_bits;
 
 /// Exponent of a zero inside the adder: below that of every product, so that the other operand is
@@ -24,15 +25,15 @@ inline constexpr int zero_exponent = -512;
 /// value = mantissa * 2^(exponent - 128 - 31). Zero is {0, zero_exponent}; otherwise the mantissa
 /// is in [2^31, 2^32) or [-2^32, -2^31) and the exponent in 1..255.
 struct Accumulator {
-    std::int64_t mantissa = 0;
-    int exponent = zero_exponent;
+    std::int64_t mantissa = 0;     // with accumulator_fraction_bits
+    int exponent = zero_exponent;  // with its bias of 128
     bool operator==(const Accumulator&) const = default;
 };
 
 /// What the adder takes in: mantissa * 2^(exponent - 128 - 46), in any exponent, not normalised.
 struct Addend {
-    std::int64_t mantissa;
-    int exponent;
+    std::int64_t mantissa;  // with adder_fraction_bits
+    int exponent;           // with its bias of 128, of any size
 };
 
 /// The flag V, sticky: a sum was above the range. One a thread, which runs one node at a time.

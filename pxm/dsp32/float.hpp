@@ -19,6 +19,7 @@ class Float {
     /// The value chopped toward minus infinity, saturated, zero below the range (`word_of`).
     explicit constexpr Float(std::floating_point auto value) noexcept
         : word_(word_of(static_cast<double>(value))) {}
+    /// The integer, chopped to the bits of a word.
     explicit constexpr Float(std::integral auto value) noexcept
         : word_(word_of_integer(static_cast<std::int64_t>(value))) {}
 
@@ -28,34 +29,43 @@ class Float {
         result.word_ = (word & 0xFFU) == 0 ? zero : word;
         return result;
     }
-    [[nodiscard]] constexpr Word word() const noexcept { return word_; }
+    [[nodiscard]] constexpr Word word() const noexcept { return word_; }  // as it stands in memory
 
     /// The exact value.
     explicit constexpr operator double() const noexcept { return double_of(word_); }
     /// The nearest float.
     explicit constexpr operator float() const noexcept { return float_of(word_); }
 
+    /// Chopped, as every result.
     friend constexpr Float operator+(Float x, Float y) noexcept {
         return stored(add(x.word_, y.word_));
     }
+    /// Chopped.
     friend constexpr Float operator-(Float x, Float y) noexcept {
         return stored(subtract(x.word_, y.word_));
     }
+    /// Chopped.
     friend constexpr Float operator*(Float x, Float y) noexcept {
         return stored(multiply(x.word_, y.word_));
     }
+    /// By routines::divide.
     friend constexpr Float operator/(Float x, Float y) noexcept {
         return from_word(routines::divide(x.word_, y.word_));
     }
-    constexpr Float operator-() const noexcept { return stored(negate(word_)); }
-    constexpr Float operator+() const noexcept { return *this; }
+    constexpr Float operator-() const noexcept { return stored(negate(word_)); }  // chopped
+    constexpr Float operator+() const noexcept { return *this; }  // the number itself
 
+    /// X = x + other.
     constexpr Float& operator+=(Float other) noexcept { return *this = *this + other; }
+    /// X = x - other.
     constexpr Float& operator-=(Float other) noexcept { return *this = *this - other; }
+    /// X = x * other.
     constexpr Float& operator*=(Float other) noexcept { return *this = *this * other; }
+    /// X = x / other.
     constexpr Float& operator/=(Float other) noexcept { return *this = *this / other; }
 
-    constexpr bool operator==(const Float&) const noexcept = default;
+    constexpr bool operator==(const Float&) const noexcept = default;  // the same number
+    /// By their exact values.
     friend constexpr std::strong_ordering operator<=>(Float x, Float y) noexcept {
         return order_key(x.word_) <=> order_key(y.word_);
     }
@@ -93,9 +103,11 @@ class Float {
 [[nodiscard]] constexpr Float reciprocal(Float x) noexcept {
     return Float::from_word(routines::reciprocal(x.word()));
 }
+/// By routines::square_root.
 [[nodiscard]] constexpr Float square_root(Float x) noexcept {
     return Float::from_word(routines::square_root(x.word()));
 }
+/// By routines::reciprocal_square_root.
 [[nodiscard]] constexpr Float reciprocal_square_root(Float x) noexcept {
     return Float::from_word(routines::reciprocal_square_root(x.word()));
 }
@@ -112,6 +124,7 @@ class Float {
 [[nodiscard]] constexpr int nearest_integer(Float x) noexcept {
     return nearest_integer(load(x.word()));
 }
+/// The next integer below, within 16 bits.
 [[nodiscard]] constexpr int floor_integer(Float x) noexcept {
     return floor_integer(load(x.word()));
 }

@@ -57,9 +57,9 @@ namespace pxm::dsp32::routines {
 
 /// x = mantissa * 4^scale with the mantissa in [1, 2) or, if the exponent is odd, in [2, 4).
 struct Quartered {
-    Word mantissa;
-    bool odd;
-    int scale;
+    Word mantissa;  // in [1, 4)
+    bool odd;       // whether the exponent was
+    int scale;      // of the power of 4
 };
 
 /// The exponent field split in two, with integer instructions. Precondition: x > 0.
@@ -76,8 +76,8 @@ struct Quartered {
 
 /// A root, and about the reciprocal of it.
 struct RootEstimate {
-    Word root;
-    Word reciprocal;
+    Word root;        // an estimate
+    Word reciprocal;  // an estimate of 1 / root
 };
 
 /// One Newton step for the root s of v: s + (v - s^2) / (2 s).

@@ -11,8 +11,8 @@ namespace routines {
 
 /// x = remainder + quarters * pi/2, |remainder| <= pi/4.
 struct Quadrant {
-    Word remainder;
-    int quarters;
+    Word remainder;  // |remainder| <= pi/4
+    int quarters;    // turns of pi/2
 };
 
 /// Precondition: |x| <= 32767 pi/2, so that the quarters fit the chip's 16-bit integers.

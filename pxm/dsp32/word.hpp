@@ -15,22 +15,22 @@ namespace pxm::dsp32 {
 /// A number as it stands in memory.
 using Word = std::uint32_t;
 
-inline constexpr int exponent_bias = 128;
-inline constexpr int largest_exponent = 255;
-inline constexpr int smallest_exponent = 1;
-inline constexpr int word_fraction_bits = 23;
-inline constexpr int exponent_bits = 8;
+inline constexpr int exponent_bias = 128;      // what is added to the exponent that is stored
+inline constexpr int largest_exponent = 255;   // as stored
+inline constexpr int smallest_exponent = 1;    // as stored; 0 is a zero's
+inline constexpr int word_fraction_bits = 23;  // stored; one bit more is implied
+inline constexpr int exponent_bits = 8;        // stored
 
-inline constexpr Word zero = 0x00000000;
-inline constexpr Word one = 0x00000080;
-inline constexpr Word largest = 0x7FFFFFFF;        // (2 - 2^-23) * 2^127
+inline constexpr Word zero = 0x00000000;     // the canonical one: every word of exponent 0 is zero
+inline constexpr Word one = 0x00000080;      // 1.0
+inline constexpr Word largest = 0x7FFFFFFF;  // (2 - 2^-23) * 2^127
 inline constexpr Word most_negative = 0x800000FF;  // -2^128
 
 /// value = mantissa * 2^(exponent - 128 - 23); zero is {0, 0}, any other mantissa is normalised:
 /// in [2^23, 2^24) or [-2^24, -2^23).
 struct Unpacked {
-    std::int32_t mantissa;
-    int exponent;
+    std::int32_t mantissa;  // with word_fraction_bits
+    int exponent;           // as stored, with its bias
     bool operator==(const Unpacked&) const = default;
 };
 

@@ -16,18 +16,18 @@ namespace pxm::host {
 
 /// By how much E_s may stick out of its volumes, along each axis.
 struct Shortfall {
-    double ball = 0;
-    double box = 0;
-    double oriented = 0;
+    double ball = 0;      // in world units, as all three
+    double box = 0;       // of the box along the axes
+    double oriented = 0;  // of the oriented box
 };
 
-struct Approximation {
-    std::vector<Bounds> outer;
+struct Approximation {                  // what is known of a system, per follow set
+    std::vector<Bounds> outer;          // around each E_s
     std::vector<OrientedBox> oriented;  // around E_s as well
-    std::vector<Points> inner;
-    SupportGrid grid;       // empty, or the support functions in many directions
-    std::vector<Box> sure;  // as `outer`, every step rounded outward
-    std::vector<Shortfall> shortfall;
+    std::vector<Points> inner;          // points of each E_s
+    SupportGrid grid;                   // empty, or the support functions in many directions
+    std::vector<Box> sure;              // as `outer`, every step rounded outward
+    std::vector<Shortfall> shortfall;   // of the volumes in `outer` and `oriented`
 };
 
 /// How far E_set can reach in direction u: the least that its volumes allow, and what they may be
@@ -47,6 +47,6 @@ struct Approximation {
 
 /// The box as an oriented one, and what rounding may take from it.
 [[nodiscard]] OrientedBox as_oriented(const Box& box);
-[[nodiscard]] double shortfall_of_oriented(const Box& box);
+[[nodiscard]] double shortfall_of_oriented(const Box& box);  // the same of as_oriented()'s box
 
 }  // namespace pxm::host

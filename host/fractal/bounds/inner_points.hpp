@@ -9,7 +9,7 @@
 
 namespace pxm::host {
 
-using Points = std::vector<glm::dvec3>;
+using Points = std::vector<glm::dvec3>;  // of one attractor
 
 /// At least one and at most 26 points of each E_s. Precondition: the system contracts.
 [[nodiscard]] std::vector<Points> inner_points(const Rifs& rifs);

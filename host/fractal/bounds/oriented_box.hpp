@@ -11,8 +11,8 @@ namespace pxm::host {
 
 /// The points center + sum of t_i half[i], |t_i| <= 1. The half axes are perpendicular.
 struct OrientedBox {
-    glm::dvec3 center{0.0};
-    std::array<glm::dvec3, 3> half{};
+    glm::dvec3 center{0.0};            // the middle
+    std::array<glm::dvec3, 3> half{};  // half axes
 };
 
 /// How far the box reaches in direction u.

@@ -15,11 +15,11 @@ namespace pxm::host {
 /// The points x with normal . x <= offset.
 struct HalfSpace {
     glm::dvec3 normal;  // unit
-    double offset = 0;
+    double offset = 0;  // in the units of the set
     bool operator==(const HalfSpace&) const = default;
 };
 
-using Polytope = std::vector<HalfSpace>;
+using Polytope = std::vector<HalfSpace>;  // the points that lie in all of them
 
 inline constexpr int most_half_spaces = 32;  // docs/scene-language.md, "object"
 

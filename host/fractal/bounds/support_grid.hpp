@@ -18,19 +18,21 @@ namespace pxm::host {
 class DirectionGrid {
   public:
     DirectionGrid() = default;
-    explicit DirectionGrid(int steps);
+    explicit DirectionGrid(int steps);  // an octahedron with so many steps along an edge
 
-    [[nodiscard]] int steps() const { return steps_; }
+    [[nodiscard]] int steps() const { return steps_; }  // along an edge
 
     /// u = sum of weight[i] * point(corner[i]), all weights at least 0.
     struct Place {
-        std::array<int, 3> corner;
-        std::array<double, 3> weight;
+        std::array<int, 3> corner;     // grid points
+        std::array<double, 3> weight;  // of each
     };
     /// Precondition: u is not zero.
     [[nodiscard]] Place locate(const glm::dvec3& u) const;
 
+    /// Places of the index, some of which stand for no direction.
     [[nodiscard]] int size() const { return static_cast<int>(points_.size()); }
+    /// Grid point i, no unit vector.
     [[nodiscard]] const glm::dvec3& point(int i) const { return points_[i]; }
     /// False for a place of the index that stands for no direction.
     [[nodiscard]] bool is_point(int i) const { return points_[i] != glm::dvec3{0.0}; }
@@ -53,16 +55,18 @@ class SupportGrid {
     /// `extents`: no point of E_s is farther from its centre along any axis.
     SupportGrid(int steps, std::vector<glm::dvec3> centers, std::vector<double> extents);
 
-    [[nodiscard]] bool empty() const { return value_.empty(); }
+    [[nodiscard]] bool empty() const { return value_.empty(); }  // nothing is known yet
     /// An upper bound of h_set(u), up to its rounding.
     [[nodiscard]] double support(int set, const glm::dvec3& u) const;
     /// What support() may be short by.
     [[nodiscard]] double rounding(int set, const glm::dvec3& u) const;
 
-    [[nodiscard]] const DirectionGrid& directions() const { return directions_; }
+    [[nodiscard]] const DirectionGrid& directions() const { return directions_; }  // of the grid
+    /// From which h_set is measured.
     [[nodiscard]] const glm::dvec3& center(int set) const { return center_[set]; }
     /// h_set - u . center at grid point i.
     [[nodiscard]] const Rounded& value(int set, int i) const { return value_[set][i]; }
+    /// Puts a value in.
     void set_value(int set, int i, const Rounded& value) { value_[set][i] = value; }
 
     /// One round of h_s(u) = max h_t(u T_m^T) + u . a_m over all sets and directions, never upward.

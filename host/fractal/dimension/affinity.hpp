@@ -12,8 +12,8 @@
 
 namespace pxm::host {
 
-struct Affinity {
-    double value = 0;
+struct Affinity {            // what is known of the affinity dimension
+    double value = 0;        // the dimension, or the best that is known of it
     double upper = 0;        // the dimension is not larger: proven
     bool exact = false;      // value is the dimension, up to rounding
     std::string why;         // how it was found
@@ -28,8 +28,8 @@ struct Affinity {
 /// triangular in one order of the axes [FM07], or so except for a plane of two axes that every map
 /// turns and scales as a whole. Nothing if the maps are neither.
 struct ClosedForm {
-    Interval dimension;
-    std::string why;
+    Interval dimension;  // where it lies
+    std::string why;     // why the form applies
 };
 /// `n`: maps have entries in the first n axes only.
 [[nodiscard]] std::optional<ClosedForm> affinity_of_triangular(const Rifs& rifs, int n);

@@ -13,12 +13,12 @@
 
 namespace pxm::host {
 
-struct BoxScale {
+struct BoxScale {      // boxes of one size
     double side = 0;   // of a box
     double boxes = 0;  // that hold a point, about
 };
 
-struct BoxCounting {
+struct BoxCounting {                  // what was measured
     std::optional<double> dimension;  // nothing if there is no range of scales that tells it
     double error = 0;                 // of 20 systems, 19 are within two of it
     std::vector<BoxScale> scales;     // coarse to fine; the coarsest third is not used

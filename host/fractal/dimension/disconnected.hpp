@@ -10,9 +10,9 @@
 
 namespace pxm::host {
 
-struct DisconnectedFinding {
+struct DisconnectedFinding {                   // the answer
     std::optional<bool> totally_disconnected;  // nothing: not decided
-    std::string why;
+    std::string why;                           // the proof, or what it would take
 };
 
 /// `bounds` as from bound(), `dimension_upper` no smaller than its Hausdorff dimension.

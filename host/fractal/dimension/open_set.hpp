@@ -12,10 +12,10 @@
 
 namespace pxm::host {
 
-enum class OpenSetCondition { holds, fails, unknown };
+enum class OpenSetCondition { holds, fails, unknown };  // whether it is satisfied
 
-struct OpenSetFinding {
-    OpenSetCondition condition = OpenSetCondition::unknown;
+struct OpenSetFinding {                                      // the answer
+    OpenSetCondition condition = OpenSetCondition::unknown;  // what was decided
     std::string why;  // the open set, or the obstacle; up to rounding
 };
 

@@ -12,10 +12,10 @@
 
 namespace pxm::host {
 
-struct Diameter {
-    double value = 0;  // of the two points
-    double upper = 0;  // no two points are further apart
-    std::array<glm::dvec3, 2> between{};
+struct Diameter {                         // what is known of it
+    double value = 0;                     // of the two points
+    double upper = 0;                     // no two points are further apart
+    std::array<glm::dvec3, 2> between{};  // the two points
 };
 
 /// Of what may stand at the start. `bounds` as from bound(), `inner` points of each E_s.

@@ -14,9 +14,9 @@
 
 namespace pxm::host {
 
-struct Moments {
-    glm::dvec3 centroid{0.0};
-    glm::dmat3 covariance{0.0};
+struct Moments {                        // of the measure
+    glm::dvec3 centroid{0.0};           // its mean
+    glm::dmat3 covariance{0.0};         // about the mean
     std::array<glm::dvec3, 3> axes{};   // unit; the one of the largest variance first
     std::array<double, 3> variances{};  // along them
 };

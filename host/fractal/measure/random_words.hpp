@@ -14,9 +14,10 @@ namespace pxm::host {
 
 /// Blending along a word is affine in the colour it starts from: c -> keep c + add.
 struct ColorBlend {
-    double keep = 1;
-    glm::dvec3 add{0.0};
+    double keep = 1;      // the share of the first colour that is left
+    glm::dvec3 add{0.0};  // what is added to it
 
+    /// The colour that becomes of c.
     [[nodiscard]] glm::dvec3 of(const glm::dvec3& c) const { return keep * c + add; }
     /// This one first, then `inner`: the outermost map paints first.
     [[nodiscard]] ColorBlend then(const ColorBlend& inner) const {
@@ -26,12 +27,12 @@ struct ColorBlend {
 
 /// A word as one step of a descent.
 struct Passage {
-    Affine map;
-    ColorBlend blend;
+    Affine map;                // of the whole word
+    ColorBlend blend;          // of all its colours
     std::uint32_t inside = 0;  // the follow set of what stands inside it
 };
 
-class RandomWords {
+class RandomWords {  // draws words
   public:
     /// In a follow set, map m comes with probability weight_m over the sum of the set's weights;
     /// alike where all are 0. `colors` (r,g,b,a) per map.

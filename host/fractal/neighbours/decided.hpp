@@ -9,8 +9,8 @@ namespace pxm::host {
 /// Something decided, or nothing; and why.
 template <class Value>
 struct Decided {
-    std::optional<Value> value;
-    std::string why;
+    std::optional<Value> value;  // nothing: it is open
+    std::string why;             // the proof, or what is in its way
 };
 
 }  // namespace pxm::host

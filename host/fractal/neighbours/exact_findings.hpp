@@ -22,15 +22,15 @@ struct WrittenMaps;
 
 /// A type of neighbours: E_first against map(E_second).
 struct TouchingType {
-    int first = 0;  // follow sets
-    int second = 0;
-    bool identity = false;
+    int first = 0;                // follow sets
+    int second = 0;               // the follow set of the other cell
+    bool identity = false;        // the two cells are the same
     std::vector<double> entries;  // rounded, by rows, each with its translation at the end
     /// Maps within the first and the second cell, -1 for none, and the type that they lead to.
     std::vector<std::array<int, 3>> edges;
 };
 
-struct ExactFindings {
+struct ExactFindings {    // what is decided of a system
     std::string numbers;  // what the maps' numbers are, or why they are not had exactly
     int degree = 0;       // of the number field; 0: exact numbers are not had
     int dimensions = 3;   // of the affine subspace that the attractor lies in
@@ -42,15 +42,15 @@ struct ExactFindings {
     std::vector<TouchingType> graph;   // if it is finite
     std::vector<std::array<int, 2>> touching_maps;  // of the start: images with a common point
 
-    Decided<bool> overlaps;  // are two words the same map?
-    std::array<std::vector<int>, 2> overlapping_words;
-    Decided<bool> open_set;
-    Decided<bool> connected;
-    Decided<bool> totally_disconnected;
-    Decided<double> hausdorff;
-    Decided<double> boundary;  // its dimension
-    Decided<bool> interior;    // within the subspace
-    Decided<double> volume;    // and its length, area or volume
+    Decided<bool> overlaps;                             // are two words the same map?
+    std::array<std::vector<int>, 2> overlapping_words;  // two words that are the same map, or empty
+    Decided<bool> open_set;                             // is the open-set condition satisfied?
+    Decided<bool> connected;                            // is the attractor one piece?
+    Decided<bool> totally_disconnected;                 // is every piece of it a point?
+    Decided<double> hausdorff;                          // its Hausdorff dimension
+    Decided<double> boundary;                           // its dimension
+    Decided<bool> interior;                             // within the subspace
+    Decided<double> volume;                             // and its length, area or volume
 };
 
 /// `written` are the maps of `rifs` as the scene's text has them; `bounds` as from bound().

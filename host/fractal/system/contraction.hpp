@@ -10,6 +10,7 @@
 
 namespace pxm::host {
 
+/// How it was shown that a system contracts.
 enum class ContractionProof { cycle_mean, spectral_radius, words, none };
 /// What is known of how a system shrinks.
 struct Contraction {
@@ -19,6 +20,6 @@ struct Contraction {
     std::string obstacle;  // if none: the map or cycle and its value, for the message
 };
 
-[[nodiscard]] Contraction prove_contraction(const Rifs& rifs);
+[[nodiscard]] Contraction prove_contraction(const Rifs& rifs);  // tries the three in turn
 
 }  // namespace pxm::host

@@ -15,9 +15,10 @@ namespace pxm::host {
 /// connected component to another: those play no part in the growth.
 struct StepMatrix {
     std::vector<std::size_t> first{0};  // entries of row s: first[s] .. first[s + 1] - 1
-    std::vector<int> to;
-    std::vector<double> weight;
+    std::vector<int> to;                // the follow set that an entry leads to
+    std::vector<double> weight;         // the entry itself, not negative
 
+    /// Appends a row.
     void add_row(const std::vector<int>& columns, const std::vector<double>& weights);
 };
 
@@ -28,7 +29,7 @@ struct StepMatrix {
 /// stay as few as they are, and every dimension is 0.
 [[nodiscard]] bool branches(const Rifs& rifs);
 
-enum class Growth { below_one, above_one, unclear };
+enum class Growth { below_one, above_one, unclear };  // what is proven of the spectral radius
 
 /// The numbers of a scene are rounded, and so is what single maps' constants are computed from.
 inline constexpr double scene_error = 1e-12;
@@ -45,9 +46,10 @@ inline constexpr double scene_error = 1e-12;
 
 /// Where a number lies.
 struct Interval {
-    double low = 0;
-    double high = 0;
-    [[nodiscard]] double middle() const { return low + (high - low) / 2; }
+    double low = 0;   // the least that it may be
+    double high = 0;  // the most
+    [[nodiscard]] double middle() const { return low + (high - low) / 2; }  // between both ends
+    /// How far it may be from the middle.
     [[nodiscard]] double error() const { return (high - low) / 2; }
 };
 

@@ -17,9 +17,9 @@ struct FollowSet {
     bool operator==(const FollowSet&) const = default;
 };
 
-struct Rifs {
-    std::string name;
-    std::vector<Affine> maps;
+struct Rifs {                            // maps and the graph of what may follow what
+    std::string name;                    // as the scene calls it
+    std::vector<Affine> maps;            // each as the scene composes it
     std::vector<std::string> map_names;  // "1", "2", ... where the scene gives none
     std::vector<FollowSet> follow_sets;  // all different from each other
     std::vector<int> follow_of;          // per map: the follow set of what may stand inside it

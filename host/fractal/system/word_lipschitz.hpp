@@ -11,12 +11,12 @@ namespace pxm::host {
 
 /// Of all words of one length, those where the bounds are worst.
 struct WordLipschitz {
-    int length = 1;
-    long words = 0;
+    int length = 1;                      // in maps
+    long words = 0;                      // so many there are
     double product_over_actual = 1;      // how much too large the product bound is, at worst
     std::vector<int> product_word;       // ... and the word
     double actual_over_determinant = 1;  // how much too small the determinant bound; infinite if 0
-    std::vector<int> determinant_word;
+    std::vector<int> determinant_word;   // ... and the word
 };
 
 /// For lengths 1 to `longest`, or fewer where there are too many words. Zero maps do not count.

@@ -17,15 +17,15 @@ struct Setting {
     std::string value;  // an expression, or what stands behind the directive's colon
     bool operator==(const Setting&) const = default;
 };
-using Settings = std::vector<Setting>;
+using Settings = std::vector<Setting>;  // in the order written
 
 /// Of `KEY=VALUE`. Throws Error(ErrorKind::setting).
 [[nodiscard]] Setting parse_setting(const std::string& text);
-[[nodiscard]] Settings parse_settings(const std::vector<std::string>& texts);
+[[nodiscard]] Settings parse_settings(const std::vector<std::string>& texts);  // of each text
 
 /// "--set camera.fov=30", quoted where it has blanks; of several with blanks between them.
 [[nodiscard]] std::string text_of(const Setting& setting);
-[[nodiscard]] std::string text_of(const Settings& settings);
+[[nodiscard]] std::string text_of(const Settings& settings);  // of all of them
 
 /// Parses the scene file at `path` (parser.hpp) as if it said what is set; the last setting of a
 /// key wins. The scene's own mistakes go to `diagnostics`; a setting that names nothing, cannot be

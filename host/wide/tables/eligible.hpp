@@ -21,10 +21,11 @@ inline constexpr double thinnest = 1e-7;  // half width of a box, of its diamete
 
 /// How the first cells of one object are found in native renders in float.
 struct ObjectMethod {
-    std::string object;
-    std::string method;
-    std::string because;
+    std::string object;   // its name
+    std::string method;   // which engine finds them
+    std::string because;  // why that one
 };
+/// Of each object, in the order of the scene.
 [[nodiscard]] std::vector<ObjectMethod> object_methods(const CompiledScene& scene);
 
 }  // namespace pxm::host::wide

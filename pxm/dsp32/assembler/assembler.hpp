@@ -10,17 +10,18 @@ namespace pxm::dsp32::assembler {
 
 /// Bytes that a line of the source left in memory.
 struct Placed {
-    std::uint32_t address = 0;
-    std::uint32_t bytes = 0;
-    int line = 1;
+    std::uint32_t address = 0;  // of the first byte
+    std::uint32_t bytes = 0;    // how many
+    int line = 1;               // of the source, from 1
 };
 
-struct Assembly {
-    Object object;  // empty if there are mistakes, or if the program is too large
-    std::vector<Mistake> mistakes;
-    std::vector<Placed> placed;    // by line
-    std::int64_t words = 0;        // that the program takes
-    std::int64_t words_limit = 0;  // that the fast memory has
+struct Assembly {                   // what became of a source
+    Object object;                  // empty if there are mistakes, or if the program is too large
+    std::vector<Mistake> mistakes;  // in the order in which they were found
+    std::vector<Placed> placed;     // by line
+    std::int64_t words = 0;         // that the program takes
+    std::int64_t words_limit = 0;   // that the fast memory has
+    /// Whether fast memory has too few words.
     [[nodiscard]] bool too_large() const { return words > words_limit; }
 };
 

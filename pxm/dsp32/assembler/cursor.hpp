@@ -18,9 +18,10 @@ inline constexpr std::int64_t largest_number = std::int64_t{1} << 40;
 
 /// A register as written: its code, and the letter behind its number that says what of it is meant.
 struct RegisterName {
-    unsigned code = 0;
-    char suffix = 0;  // 0, h, l, e
+    unsigned code = 0;  // of five bits, as isa::register_names counts
+    char suffix = 0;    // 0, h, l, e
 };
+/// Nothing: the name is no register's.
 [[nodiscard]] std::optional<RegisterName> register_of(std::string_view name);
 
 /// The number of an accumulator.
@@ -29,13 +30,17 @@ struct RegisterName {
 /// A place in a line. What fails says why, once, and is empty from then on.
 class Cursor {
   public:
+    /// At the beginning of a line; mistakes are added to the last.
     Cursor(const Line& line, const ValueOf& value_of, Mistakes& mistakes)
         : line_(line), value_of_(value_of), mistakes_(mistakes) {}
 
+    /// The token so many places ahead, or the end of the line.
     [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
         return line_[std::min(at_ + ahead, line_.size() - 1)];
     }
+    /// Whether all tokens are taken.
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
+    /// The next token, which is behind then.
     const Token& take() {
         const Token& token = peek();
         if (!at_end()) ++at_;
@@ -53,12 +58,13 @@ class Cursor {
     bool expect_end();
     /// A mistake at the token ahead.
     std::nullopt_t fail(const std::string& message) { return fail(peek().place, message); }
+    /// A mistake at a place; always nothing.
     std::nullopt_t fail(Place place, const std::string& message) {
         if (!failed_) mistakes_.add(place, message);
         failed_ = true;
         return std::nullopt;
     }
-    [[nodiscard]] bool failed() const { return failed_; }
+    [[nodiscard]] bool failed() const { return failed_; }  // whether it has complained
 
     /// A register, taken if one is ahead.
     std::optional<RegisterName> accept_register();
@@ -86,6 +92,6 @@ class Cursor {
 
 /// A text as a message shows it, and a token.
 [[nodiscard]] std::string quoted(std::string_view text);
-[[nodiscard]] std::string shown(const Token& token);
+[[nodiscard]] std::string shown(const Token& token);  // the same of a token
 
 }  // namespace pxm::dsp32::assembler

@@ -8,9 +8,9 @@ namespace pxm::dsp32::assembler {
 
 /// What an instruction may depend on besides its text.
 struct Surroundings {
-    std::uint32_t address = 0;        // of the instruction
-    std::uint32_t program_bytes = 0;  // branches lead to what lies below
-    isa::Dialect dialect = isa::Dialect::dsp32;
+    std::uint32_t address = 0;                   // of the instruction
+    std::uint32_t program_bytes = 0;             // branches lead to what lies below
+    isa::Dialect dialect = isa::Dialect::dsp32;  // whose instructions there are
 };
 
 /// The word of the instruction that is the rest of the line; empty after a mistake.

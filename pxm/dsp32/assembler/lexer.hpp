@@ -9,16 +9,17 @@
 
 namespace pxm::dsp32::assembler {
 
-enum class TokenKind : std::uint8_t { name, integer, real, sign, end };
+enum class TokenKind : std::uint8_t { name, integer, real, sign, end };  // what a token is
 
 /// `text` points into the source.
 struct Token {
-    TokenKind kind = TokenKind::end;
-    std::string_view text;
-    Place place;
-    std::int64_t integer = 0;
-    double real = 0;  // an integer token has it too
+    TokenKind kind = TokenKind::end;  // what it is
+    std::string_view text;            // as written
+    Place place;                      // of its first character
+    std::int64_t integer = 0;         // of an integer
+    double real = 0;                  // an integer token has it too
 
+    /// Whether it is written so.
     [[nodiscard]] bool is(std::string_view what) const {
         return kind != TokenKind::end && text == what;
     }

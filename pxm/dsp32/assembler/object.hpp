@@ -12,18 +12,19 @@
 
 namespace pxm::dsp32::assembler {
 
-struct Symbol {
-    std::string name;
+struct Symbol {                 // a name of an address
+    std::string name;           // a label
     std::uint32_t address = 0;  // in bytes
     bool operator==(const Symbol&) const = default;
 };
 
-struct Object {
-    isa::Dialect dialect = isa::Dialect::dsp32;
-    std::vector<Word> text;       // from address 0
-    std::vector<Word> data;       // behind the text
-    std::vector<Symbol> symbols;  // by address, then by name
+struct Object {                                  // an assembled program
+    isa::Dialect dialect = isa::Dialect::dsp32;  // whose instructions it has
+    std::vector<Word> text;                      // from address 0
+    std::vector<Word> data;                      // behind the text
+    std::vector<Symbol> symbols;                 // by address, then by name
 
+    /// Of text and data.
     [[nodiscard]] std::size_t words() const { return text.size() + data.size(); }
     /// The address of a name.
     [[nodiscard]] std::optional<std::uint32_t> address_of(std::string_view name) const;

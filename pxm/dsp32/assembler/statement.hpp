@@ -5,17 +5,19 @@
 
 namespace pxm::dsp32::assembler {
 
-inline constexpr std::int64_t least_16 = -32768, most_16 = 65535, most_signed_16 = 32767;
-inline constexpr std::int64_t most_24 = 0xFF'FFFF;
+inline constexpr std::int64_t least_16 = -32768;       // of a constant of 16 bits
+inline constexpr std::int64_t most_16 = 65535;         // the same without a sign
+inline constexpr std::int64_t most_signed_16 = 32767;  // and with one
+inline constexpr std::int64_t most_24 = 0xFF'FFFF;     // of an address of the DSP32C
 
 /// The lower 16 bits of a constant.
 [[nodiscard]] constexpr unsigned bits_16(std::int64_t number) {
     return static_cast<unsigned>(number) & 0xFFFFU;
 }
 
-struct Statement {
-    Cursor& cursor;
-    const Surroundings& around;
+struct Statement {                      // an instruction that is being read
+    Cursor& cursor;                     // where in the line
+    const Surroundings& around;         // what it may depend on
     Place start;                        // of the instruction
     std::optional<unsigned> condition;  // of an ALU instruction
 

@@ -50,12 +50,12 @@ enum class Operation : std::uint8_t {
 
 /// A field of a word: which letter of the pattern, where its lowest bit is, how wide it is.
 struct Field {
-    char letter = 0;
-    int low_bit = 0;
-    int bits = 0;
+    char letter = 0;  // of the pattern
+    int low_bit = 0;  // counted from 0
+    int bits = 0;     // how many
 };
 
-inline constexpr int most_fields = 8;
+inline constexpr int most_fields = 8;  // of one format
 
 /// One row of the table. In a pattern 0 and 1 are fixed, a letter is a bit of a field, bit 31
 /// first.
@@ -68,16 +68,16 @@ inline constexpr int most_fields = 8;
 ///   i constant of 16 bits   H the 8 bits above them   w width   e register of a move
 ///   T direction of a move   p pointer   q its increment   K length of a loop   N its count
 struct Format {
-    std::string_view name;  // as the sources number them
-    Operation operation;
-    std::string_view pattern;
-    Dialect since;
-    Certainty certainty;  // of `since`; the encodings themselves are S [S7, S8]
-    bool wide = false;    // operates on 24 bits
-    Word fixed_mask = 0;  // bits that are 0 or 1
-    Word fixed_bits = 0;  // what they are
-    int field_count = 0;
-    std::array<Field, most_fields> fields{};
+    std::string_view name;                    // as the sources number them
+    Operation operation;                      // what it does
+    std::string_view pattern;                 // 32 letters, bit 31 first
+    Dialect since;                            // who has it
+    Certainty certainty;                      // of `since`; the encodings themselves are S [S7, S8]
+    bool wide = false;                        // operates on 24 bits
+    Word fixed_mask = 0;                      // bits that are 0 or 1
+    Word fixed_bits = 0;                      // what they are
+    int field_count = 0;                      // how many fields there are
+    std::array<Field, most_fields> fields{};  // the fields, in the order of the letters
 };
 
 /// All formats. No two match the same word.
@@ -86,12 +86,12 @@ struct Format {
 /// A value of a field that came with the DSP32C.
 struct Addition {
     std::string_view letters;  // of the fields that may hold it
-    unsigned first;
-    unsigned last;
-    Certainty certainty;
-    std::string_view what;
+    unsigned first;            // the first value
+    unsigned last;             // the last value
+    Certainty certainty;       // of who has it
+    std::string_view what;     // what the values mean
 };
-[[nodiscard]] std::span<const Addition> additions() noexcept;
+[[nodiscard]] std::span<const Addition> additions() noexcept;  // all of them
 
 /// Whether a field may hold a value. What is reserved in the sources, or has a second spelling
 /// there, may not: docs/dsp32.md lists it.

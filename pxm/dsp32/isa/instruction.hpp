@@ -14,12 +14,13 @@ namespace pxm::dsp32::isa {
 /// The instruction in which nothing happens: a branch on `false`.
 inline constexpr Word nop = 0;
 
-struct Instruction {
-    const Format* format = nullptr;
+struct Instruction {                                  // a word, taken apart
+    const Format* format = nullptr;                   // null: it is no instruction
     std::array<std::uint16_t, most_fields> values{};  // in the order of the format's fields
 
+    /// Precondition: it is one.
     [[nodiscard]] Operation operation() const noexcept { return format->operation; }
-    [[nodiscard]] bool has(char letter) const noexcept;
+    [[nodiscard]] bool has(char letter) const noexcept;  // whether its format has such a field
     /// What the field of that letter holds; 0 if the format has none.
     [[nodiscard]] unsigned value(char letter) const noexcept;
     /// The field of 16 bits as a signed number.
@@ -36,6 +37,7 @@ struct Instruction {
 /// The word of an instruction.
 [[nodiscard]] Word encode(const Instruction& instruction) noexcept;
 
+/// Fields by their letters, and what stands in them.
 using FieldValues = std::initializer_list<std::pair<char, unsigned>>;
 
 /// The word of an operation whose fields hold these values and 0 elsewhere: the format is the first

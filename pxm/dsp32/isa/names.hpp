@@ -14,9 +14,14 @@ inline constexpr std::array<std::string_view, 32> register_names{
     "r11", "r12", "r13", "r14", "pc",   "",    "r15", "r16", "r17",  "r18", "r19",
     "--",  "++",  "r20", "r21", "dauc", "ioc", "",    "r22", "pcsh", ""};
 
-inline constexpr unsigned register_zero = 0, register_pc = 15, register_r15 = 17;
-inline constexpr unsigned decrement_code = 22, increment_code = 23;
-inline constexpr unsigned register_dauc = 26, register_ioc = 27, register_count = 32;
+inline constexpr unsigned register_zero = 0;    // always 0
+inline constexpr unsigned register_pc = 15;     // the program counter
+inline constexpr unsigned register_r15 = 17;    // r15, behind the gap
+inline constexpr unsigned decrement_code = 22;  // --
+inline constexpr unsigned increment_code = 23;  // ++
+inline constexpr unsigned register_dauc = 26;   // control of the data unit
+inline constexpr unsigned register_ioc = 27;    // control of the ports
+inline constexpr unsigned register_count = 32;  // codes
 
 /// Conditions of branches by their code; ALU instructions have the first sixteen.
 inline constexpr std::array<std::string_view, 48> condition_names{
@@ -25,7 +30,7 @@ inline constexpr std::array<std::string_view, 48> condition_names{
     "ane",   "aeq",  "avc", "avs", "agt",      "ale",      "",         "",        "",    "",
     "",      "",     "ibe", "ibf", "obf",      "obe",      "pde",      "pdf",     "pie", "pif",
     "syc",   "sys",  "fbc", "fbs", "ireq1_lo", "ireq1_hi", "ireq2_lo", "ireq2_hi"};
-inline constexpr unsigned condition_true = 1;
+inline constexpr unsigned condition_true = 1;  // of a branch that is always taken
 
 /// Special functions of the data unit by their code.
 inline constexpr std::array<std::string_view, 16> function_names{

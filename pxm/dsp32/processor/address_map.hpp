@@ -23,7 +23,7 @@ inline constexpr unsigned slow_wait_cycles = 1;  // A: setting a window is the p
 /// A program that returns to this address has ended.
 inline constexpr std::uint32_t return_address = 0xFFFC;  // A
 
-using ProcessorNode = Node<Float>;
+using ProcessorNode = Node<Float>;  // whose memories are addressed
 
 /// The bank behind a window, by the window's number.
 [[nodiscard]] inline Bank& bank_of_window(ProcessorNode& node, std::uint32_t window) noexcept {
@@ -41,13 +41,13 @@ using ProcessorNode = Node<Float>;
 
 /// 4 KiB of addresses: the words behind them, as far as there are any, and what each costs.
 struct Page {
-    std::uint32_t* words = nullptr;
-    std::uint32_t count = 0;
-    unsigned wait_cycles = 0;
+    std::uint32_t* words = nullptr;  // the first of them; null: none
+    std::uint32_t count = 0;         // how many
+    unsigned wait_cycles = 0;        // of an access
 };
 
-inline constexpr std::size_t page_count = address_bytes / page_bytes;
-using PageTable = std::array<Page, page_count>;
+inline constexpr std::size_t page_count = address_bytes / page_bytes;  // of all addresses
+using PageTable = std::array<Page, page_count>;                        // by their numbers
 
 /// The part of a bank that starts at `from_bytes`, as far as it is reserved.
 [[nodiscard]] inline Page page_of(Bank& bank, std::uint32_t from_bytes,

@@ -11,18 +11,18 @@
 namespace pxm::dsp32::processor {
 
 inline constexpr std::uint64_t multiplier_latency = 3;  // instructions
-inline constexpr std::uint64_t condition_latency = 4;
+inline constexpr std::uint64_t condition_latency = 4;   // instructions
 
 /// What the adder says of its result.
 struct DataFlags {
-    bool negative = false;
-    bool zero = true;
-    bool overflow = false;
-    bool underflow = false;
+    bool negative = false;   // below zero
+    bool zero = true;        // zero
+    bool overflow = false;   // above the range
+    bool underflow = false;  // below the range
     bool operator==(const DataFlags&) const = default;
 };
 
-class DataUnit {
+class DataUnit {  // the four accumulators and their flags
   public:
     /// As the adder sees it.
     [[nodiscard]] const Accumulator& value(std::size_t number) const noexcept {
@@ -38,6 +38,7 @@ class DataUnit {
         stale = true;
         return now - state.written[1] >= multiplier_latency ? state.words[1] : state.words[2];
     }
+    /// Writes an accumulator at instruction `now`.
     void set(std::size_t number, Accumulator value, std::uint64_t now) noexcept {
         State& state = states_[number];
         state.value = value;
@@ -52,6 +53,7 @@ class DataUnit {
         stale = stale || now - flagged_ < condition_latency;
         return past_flags_[(now - condition_latency) % past_flags_.size()];
     }
+    /// Sets them at instruction `now`.
     void set_flags(DataFlags flags, std::uint64_t now) noexcept {
         flags_ = flags;
         flagged_ = now;

@@ -17,14 +17,14 @@ namespace pxm::dsp32::processor {
 
 /// Of the control unit.
 struct Flags {
-    bool negative = false;
-    bool zero = false;
-    bool carry = false;
-    bool overflow = false;
+    bool negative = false;  // below zero
+    bool zero = false;      // zero
+    bool carry = false;     // a bit was carried out of the highest
+    bool overflow = false;  // above the range of 16 bits
     bool operator==(const Flags&) const = default;
 };
 
-class Processor {
+class Processor {  // executes programs on a node
   public:
     /// Precondition: the node outlives the processor.
     explicit Processor(ProcessorNode& node);
@@ -39,23 +39,29 @@ class Processor {
     /// of its instruction, unless that is the first.
     [[nodiscard]] Stop run(std::uint64_t steps, std::span<const std::uint32_t> breakpoints = {});
 
+    /// The address of the next instruction.
     [[nodiscard]] std::uint32_t program_counter() const noexcept { return pc_; }
+    /// Of the register with this code.
     [[nodiscard]] std::uint16_t register_value(unsigned code) const noexcept {
         return registers_[code];
     }
+    /// Changes the register with this code.
     void set_register(unsigned code, std::uint16_t value) noexcept { registers_[code] = value; }
+    /// As the adder sees it, 0 to 3.
     [[nodiscard]] const Accumulator& accumulator(std::size_t number) const noexcept {
         return data_.value(number);
     }
-    [[nodiscard]] const Flags& flags() const noexcept { return flags_; }
+    [[nodiscard]] const Flags& flags() const noexcept { return flags_; }  // of the control unit
+    /// Of the data unit's last result.
     [[nodiscard]] DataFlags data_flags() const noexcept { return data_.flags(); }
     /// A word of fast memory, by its address in bytes. Precondition: it is there.
     [[nodiscard]] Word& fast_word(std::uint32_t address) noexcept;
 
+    /// Executed since it was made.
     [[nodiscard]] std::uint64_t instructions() const noexcept { return now_ - first_instruction; }
     /// Instructions and waits.
     [[nodiscard]] std::uint64_t cycles() const noexcept { return instructions() + waits_; }
-    [[nodiscard]] const StaleReads& stale_reads() const noexcept { return stale_; }
+    [[nodiscard]] const StaleReads& stale_reads() const noexcept { return stale_; }  // of all runs
 
   private:
     // So that what was there at the start is older than every latency.

@@ -9,14 +9,14 @@
 
 namespace pxm::dsp32::processor {
 
-enum class StopReason : std::uint8_t {
-    ended,         // returned to return_address
-    steps_used,    // the limit of steps was reached
-    breakpoint,    // in front of an instruction with one
-    fault,         // an access outside the memory that is there
-    misaligned,    // an access at no multiple of its width
-    illegal,       // a word that is no instruction of the first DSP32
-    not_modelled,  // an instruction that needs a port, or companded numbers
+enum class StopReason : std::uint8_t {  // why a processor stopped
+    ended,                              // returned to return_address
+    steps_used,                         // the limit of steps was reached
+    breakpoint,                         // in front of an instruction with one
+    fault,                              // an access outside the memory that is there
+    misaligned,                         // an access at no multiple of its width
+    illegal,                            // a word that is no instruction of the first DSP32
+    not_modelled,                       // an instruction that needs a port, or companded numbers
 };
 
 /// As a message says it.
@@ -40,11 +40,11 @@ enum class StopReason : std::uint8_t {
     return "";
 }
 
-struct Stop {
-    StopReason reason = StopReason::ended;
-    std::uint32_t instruction_address = 0;
-    std::uint32_t access_address = 0;  // of a fault, or of what is misaligned
-    std::optional<Fault> fault;        // with the bank
+struct Stop {                               // how a run ended
+    StopReason reason = StopReason::ended;  // why
+    std::uint32_t instruction_address = 0;  // of the instruction that it stopped at
+    std::uint32_t access_address = 0;       // of a fault, or of what is misaligned
+    std::optional<Fault> fault;             // with the bank
 };
 
 /// What can be read before it has its new value.
@@ -52,9 +52,9 @@ enum class StaleKind : std::uint8_t { accumulator, condition, memory, loaded_reg
 
 /// Reads that got an old value because of the pipeline: a program may mean it, or not.
 struct StaleReads {
-    std::uint64_t count = 0;
-    std::uint32_t first_address = 0;  // of the instruction that read
-    StaleKind first_kind = StaleKind::accumulator;
+    std::uint64_t count = 0;                        // how many
+    std::uint32_t first_address = 0;                // of the instruction that read
+    StaleKind first_kind = StaleKind::accumulator;  // of the first
 };
 
 }  // namespace pxm::dsp32::processor
