@@ -27,7 +27,7 @@ struct Record {
 enum class ShadingMode : std::uint32_t { constant, low_pass, high_pass, facet };
 /// Whether eye rays meet in the eye or go side by side.
 enum class Projection : std::uint32_t { perspective, orthographic };
-/// Kinds of bounding volumes (Ch. 14).
+/// Kinds of bounding volumes (Sec. 12.2).
 enum class Volume : std::uint32_t { sphere, box, oriented, hull, cone, cylinder };
 /// How diameters of cells are estimated (Ch. 16).
 enum class Lipschitz : std::uint32_t { product, determinant, polar };
