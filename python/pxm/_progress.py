@@ -81,7 +81,7 @@ def _patient(shown: _Line | _Bar) -> Callable[[float], None]:
     begin = time.monotonic()
 
     def tell(share: float) -> None:
-        if time.monotonic() - begin > _PATIENCE:
+        if share < 1 and time.monotonic() - begin > _PATIENCE:  # at 1 it would go at once
             shown.show(share)
 
     return tell
