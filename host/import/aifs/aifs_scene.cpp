@@ -13,6 +13,7 @@
 
 #include "host/error.hpp"
 #include "host/import/aifs/aifs_evaluator.hpp"
+#include "host/import/aifs/aifs_slices.hpp"
 #include "host/import/aifs/aifs_space.hpp"
 #include "host/import/entries.hpp"
 #include "host/import/imported_scene.hpp"
@@ -174,14 +175,54 @@ Choice choose(const std::vector<AifsEntry>& entries, const std::string& file,
     return {choose_entry(names, file, wanted), std::nullopt};
 }
 
+/// Of a long file: the block that was asked for, and those that it needs. Blocks are listed whether
+/// or not they define a set. `wanted` becomes what is to be chosen of these.
+std::vector<AifsBlock> chosen_family(const SourceFile& source, std::optional<std::string>& wanted,
+                                     Diagnostics& diagnostics) {
+    const std::vector<AifsSlice> slices = slice_aifs(source.text, diagnostics);
+    diagnostics.throw_if_errors({source});
+    std::vector<std::string> names;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+        const AifsSlice& slice = slices[i];
+        if (slice.hidden) continue;
+        names.push_back(!slice.name.empty() ? slice.name
+                        : !slice.id.empty() ? slice.id
+                                            : fmt::format("block {}", i + 1));
+        places.push_back(i);
+    }
+    std::optional<std::string> set;
+    std::optional<std::string> name = wanted;
+    const std::size_t colon = wanted ? wanted->rfind(':') : std::string::npos;
+    if (colon != std::string::npos && std::ranges::find(names, *wanted) == names.end()) {
+        set = wanted->substr(colon + 1);
+        name = wanted->substr(0, colon);
+        if (name->empty()) name.reset();
+    }
+    const std::size_t entry = choose_entry(names, source.name, name);
+    std::size_t chosen = places[entry];
+    std::vector<AifsBlock> blocks = parse_aifs_family(slices, chosen, diagnostics);
+    if (names.size() > 1)
+        blocks[chosen].definitions.push_back({"$n", {}, names[entry], blocks[chosen].position});
+    wanted = set ? std::optional(":" + *set) : std::nullopt;
+    return blocks;
+}
+
+bool is_nameless(const AifsBlock& block) { return block.text_of("$n").empty() && block.id.empty(); }
+
+constexpr std::size_t parsed_whole_bytes = std::size_t{4} << 20U;  // longer files block by block
+
 }  // namespace
 
-Imported import_aifs(const SourceFile& source, const std::optional<std::string>& entry) {
+Imported import_aifs(const SourceFile& source, const std::optional<std::string>& asked) {
     Diagnostics diagnostics;
-    const std::vector<AifsBlock> blocks = parse_aifs(source.text, diagnostics);
+    std::optional<std::string> entry = asked;
+    const std::vector<AifsBlock> blocks = source.text.size() > parsed_whole_bytes
+                                              ? chosen_family(source, entry, diagnostics)
+                                              : parse_aifs(source.text, diagnostics);
     diagnostics.throw_if_errors({source});
     std::vector<AifsEntry> entries = aifs_entries(blocks);
-    if (entries.size() == 1 && entries[0].name.starts_with("block "))
+    if (entries.size() == 1 && is_nameless(blocks[entries[0].block]))
         entries[0].name = bare_name(source.name);
     const Choice choice = choose(entries, source.name, entry);
     const AifsEntry& chosen = entries[choice.entry];
