@@ -284,7 +284,7 @@ class BlockParser {
         : cursor_(cursor), block_(block), left_(left) {}
 
     void read() {
-        for (cursor_.skip(); !cursor_.at_end() && cursor_.peek() != '@'; cursor_.skip()) {
+        for (skip_gap(); !cursor_.at_end() && cursor_.peek() != '@'; skip_gap()) {
             try {
                 definition();
             } catch (const SyntaxMistake& mistake) {
@@ -295,6 +295,11 @@ class BlockParser {
     }
 
   private:
+    /// Between definitions a semicolon is one more blank.
+    void skip_gap() {
+        for (cursor_.skip(); cursor_.peek() == ';'; cursor_.skip()) cursor_.take();
+    }
+
     void definition() {
         AifsDefinition definition;
         definition.position = cursor_.position();
