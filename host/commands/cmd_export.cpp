@@ -37,6 +37,7 @@ struct ExportArguments {
     std::optional<double> scale;
     std::vector<std::string> set;
     std::vector<std::string> allowed;
+    bool geometry = false;
     bool quiet = false;
 };
 
@@ -72,6 +73,15 @@ void require_cells(const ExportArguments& arguments, const ExportFormatName& for
                                 option, format.text));
 }
 
+/// Only glTF has both.
+void require_choice(const ExportArguments& arguments, const ExportFormatName& format) {
+    if (!arguments.geometry || format.format == ExportFormat::gltf ||
+        format.format == ExportFormat::glb)
+        return;
+    throw Error(ErrorKind::setting,
+                fmt::format("--geometry is for glb and gltf, not for {}", format.text));
+}
+
 /// Throws Error unless all that will be written can be, and is none of what is read.
 void require_places(const ExportArguments& arguments, const ExportFormatName& format,
                     const Scene& scene) {
@@ -88,11 +98,13 @@ void require_places(const ExportArguments& arguments, const ExportFormatName& fo
 ExitCode run_export(const ExportArguments& arguments) {
     const ExportFormatName& format = choose_export_format(arguments.format, arguments.out);
     require_cells(arguments, format);
+    require_choice(arguments, format);
     const Settings settings = parse_settings(arguments.set);
     ExportRequest request;
     request.levels = arguments.levels;
     request.detail = arguments.detail;
     request.scale = arguments.scale.value_or(1);
+    request.geometry = arguments.geometry;
     if (!is_mesh_path(arguments.shape)) request.shape.kind = kind_of(arguments.shape);
     require_writable(arguments.out);
     Diagnostics diagnostics;
@@ -145,6 +157,8 @@ AddedCommand add_export_command(CommandLine& line) {
                     "Lengths of the file for a length of the scene: millimetres, for printers; "
                     "default 1")
         .transform(positive_number());
+    command.add_flag("--geometry", a->geometry,
+                     "Cells of a glTF as triangles, for programs that do not know instances");
     add_set_option(command, a->set);
     add_allow_option(command, a->allowed);
     command.add_flag("--quiet", a->quiet, "No progress bar");

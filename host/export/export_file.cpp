@@ -111,8 +111,8 @@ std::string write_cells(const ExportScene& scene, ExportFormat format, const std
 
 /// Why geometry or prims stand where instances could.
 std::string told_of_shears(const ExportScene& scene, ExportFormat format) {
-    const bool instances =
-        format == ExportFormat::gltf || format == ExportFormat::glb || format == ExportFormat::usda;
+    const bool gltf = format == ExportFormat::gltf || format == ExportFormat::glb;
+    const bool instances = (gltf && !scene.geometry) || format == ExportFormat::usda;
     std::string messages;
     for (const ExportSystem& system : scene.systems)
         if (instances && !system.similar && !system.maps.empty())

@@ -27,6 +27,7 @@ struct ExportRequest {
     std::optional<long> levels;    // in place of what objects say
     std::optional<double> detail;  // a length of the scene
     double scale = 1;              // lengths in the file a length of the scene
+    bool geometry = false;         // no instances, where a format has them
     ShapeChoice shape;
 };
 
@@ -34,6 +35,7 @@ struct ExportScene {
     std::vector<ExportSystem> systems;
     View view;
     double scale = 1;
+    bool geometry = false;
     const Scene* scene = nullptr;
 };
 

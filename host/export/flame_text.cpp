@@ -42,7 +42,7 @@ class FlameText {
         for (std::size_t i = 0; i < system_.rifs.maps.size(); ++i) put_transform(i);
         if (!(system_.place == Affine{}))
             text_ += fmt::format(
-                "   <finalxform weight=\"1\" color=\"0\" color_speed=\"0\" "
+                "   <finalxform color=\"0\" color_speed=\"0\" "
                 "linear=\"1\" coefs=\"{}\"/>\n",
                 coefs_text(system_.place));
         for (std::size_t i = 0; i < palette_size; ++i) put_palette(i);

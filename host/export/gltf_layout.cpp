@@ -18,7 +18,7 @@ GltfLayout gltf_layout(const ExportScene& scene, const CellTally& tally) {
             GltfGroup group;
             group.system = i;
             group.set = s;
-            group.instanced = !cells.sheared;
+            group.instanced = !cells.sheared && !scene.geometry;
             group.cells = cells.cells;
             const std::uint64_t copies = group.instanced ? 1 : group.cells;
             group.vertices = copies * shape.vertices.size();

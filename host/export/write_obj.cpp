@@ -6,6 +6,7 @@
 
 #include "host/export/sink.hpp"
 #include "host/export/writers.hpp"
+#include "host/output/pixel_values.hpp"
 #include "host/text/printable.hpp"
 
 namespace pxm::host {
@@ -19,6 +20,9 @@ void put_vertex(std::string& text, const glm::dvec3& p, CoordinateNumber number)
     else
         fmt::format_to(out, "v {} {} {}", p.x, p.y, p.z);
 }
+
+/// The format says nothing of colours; readers take them for sRGB.
+float shade(double linear) { return srgb_from_linear(static_cast<float>(linear)); }
 
 }  // namespace
 
@@ -35,8 +39,8 @@ void write_obj(const ExportJob& job, CheckedFile& file) {
         for (const glm::dvec3& v : shape.vertices) {
             put_vertex(text, cell.place.point(v), job.tally.number);
             if (job.tally.colored)
-                fmt::format_to(std::back_inserter(text), " {:.4g} {:.4g} {:.4g}", cell.color.r,
-                               cell.color.g, cell.color.b);
+                fmt::format_to(std::back_inserter(text), " {:.4g} {:.4g} {:.4g}",
+                               shade(cell.color.r), shade(cell.color.g), shade(cell.color.b));
             text += '\n';
         }
         const bool mirrored = determinant(cell.place) < 0;

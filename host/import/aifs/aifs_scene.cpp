@@ -13,6 +13,7 @@
 
 #include "host/error.hpp"
 #include "host/import/aifs/aifs_evaluator.hpp"
+#include "host/import/aifs/aifs_slices.hpp"
 #include "host/import/aifs/aifs_space.hpp"
 #include "host/import/entries.hpp"
 #include "host/import/imported_scene.hpp"
@@ -152,16 +153,6 @@ struct Choices {
     std::vector<AifsEntry> entries;
 };
 
-Choices choices_of(const SourceFile& source) {
-    Diagnostics diagnostics;
-    Choices choices{parse_aifs(source.text, diagnostics), {}};
-    diagnostics.throw_if_errors({source});
-    choices.entries = aifs_entries(choices.blocks);
-    if (choices.entries.size() == 1 && choices.entries[0].name.starts_with("block "))
-        choices.entries[0].name = bare_name(source.name);
-    return choices;
-}
-
 std::vector<std::string> names_of(const std::vector<AifsEntry>& entries) {
     std::vector<std::string> names;
     for (const AifsEntry& entry : entries) names.push_back(entry.name);
@@ -195,14 +186,84 @@ Choice choose(const std::vector<AifsEntry>& entries, const std::string& file,
     return {choose_entry(names, file, wanted), std::nullopt};
 }
 
+/// The blocks of a long file that may be chosen, and their places among the slices.
+struct ListedBlocks {
+    std::vector<std::string> names;
+    std::vector<std::size_t> places;
+};
+
+ListedBlocks listed(const std::vector<AifsSlice>& slices) {
+    ListedBlocks blocks;
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+        const AifsSlice& slice = slices[i];
+        if (slice.hidden) continue;
+        blocks.names.push_back(!slice.name.empty() ? slice.name
+                               : !slice.id.empty() ? slice.id
+                                                   : fmt::format("block {}", i + 1));
+        blocks.places.push_back(i);
+    }
+    return blocks;
+}
+
+/// Of a long file: the block that was asked for, and those that it needs. Blocks are listed whether
+/// or not they define a set. `wanted` becomes what is to be chosen of these.
+std::vector<AifsBlock> chosen_family(const SourceFile& source, std::optional<std::string>& wanted,
+                                     Diagnostics& diagnostics) {
+    const std::vector<AifsSlice> slices = slice_aifs(source.text, diagnostics);
+    diagnostics.throw_if_errors({source});
+    const auto [names, places] = listed(slices);
+    std::optional<std::string> set;
+    std::optional<std::string> name = wanted;
+    const std::size_t colon = wanted ? wanted->rfind(':') : std::string::npos;
+    if (colon != std::string::npos && std::ranges::find(names, *wanted) == names.end()) {
+        set = wanted->substr(colon + 1);
+        name = wanted->substr(0, colon);
+        if (name->empty()) name.reset();
+    }
+    const std::size_t entry = choose_entry(names, source.name, name);
+    std::size_t chosen = places[entry];
+    std::vector<AifsBlock> blocks = parse_aifs_family(slices, chosen, diagnostics);
+    if (names.size() > 1)
+        blocks[chosen].definitions.push_back({"$n", {}, names[entry], blocks[chosen].position});
+    wanted = set ? std::optional(":" + *set) : std::nullopt;
+    return blocks;
+}
+
+bool is_nameless(const AifsBlock& block) { return block.text_of("$n").empty() && block.id.empty(); }
+
+constexpr std::size_t parsed_whole_bytes = std::size_t{4} << 20U;  // longer files block by block
+
+/// What a file may be asked for; of a long one, what was asked for. `wanted` becomes what is to be
+/// chosen of these.
+Choices choices_of(const SourceFile& source, std::optional<std::string>& wanted) {
+    Diagnostics diagnostics;
+    Choices choices{source.text.size() > parsed_whole_bytes
+                        ? chosen_family(source, wanted, diagnostics)
+                        : parse_aifs(source.text, diagnostics),
+                    {}};
+    diagnostics.throw_if_errors({source});
+    choices.entries = aifs_entries(choices.blocks);
+    if (choices.entries.size() == 1 && is_nameless(choices.blocks[choices.entries[0].block]))
+        choices.entries[0].name = bare_name(source.name);
+    return choices;
+}
+
 }  // namespace
 
 std::vector<std::string> aifs_names(const SourceFile& source) {
-    return names_of(choices_of(source).entries);
+    if (source.text.size() <= parsed_whole_bytes) {
+        std::optional<std::string> any;
+        return names_of(choices_of(source, any).entries);
+    }
+    Diagnostics diagnostics;
+    const std::vector<AifsSlice> slices = slice_aifs(source.text, diagnostics);
+    diagnostics.throw_if_errors({source});
+    return listed(slices).names;
 }
 
-Imported import_aifs(const SourceFile& source, const std::optional<std::string>& entry) {
-    const auto [blocks, entries] = choices_of(source);
+Imported import_aifs(const SourceFile& source, const std::optional<std::string>& asked) {
+    std::optional<std::string> entry = asked;
+    const auto [blocks, entries] = choices_of(source, entry);
     const Choice choice = choose(entries, source.name, entry);
     const AifsEntry& chosen = entries[choice.entry];
     const AifsBlock& block = blocks[chosen.block];

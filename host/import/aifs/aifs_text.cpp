@@ -10,8 +10,7 @@
 namespace pxm::host {
 namespace {
 
-constexpr int deepest = 200;                   // parentheses and brackets inside one another
-constexpr std::size_t most_parts = 2'000'000;  // numbers and names of a file: some 250 MB in memory
+constexpr int deepest = 200;  // parentheses and brackets inside one another
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word(char c) {
@@ -22,7 +21,8 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' |
 /// A place in the text; copies look ahead.
 class Cursor {
   public:
-    explicit Cursor(std::string_view text) : text_(text) {
+    explicit Cursor(std::string_view text, const Position& begin = {})
+        : text_(text), position_(begin) {
         if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
     }
     [[nodiscard]] bool at_end() const { return place_ >= text_.size(); }
@@ -175,7 +175,7 @@ class ExpressionParser {
         if (left_ == 0)
             throw SyntaxMistake{
                 cursor_.position(),
-                fmt::format("more than {} numbers and names in a file", most_parts)};
+                fmt::format("more than {} numbers and names in a file", most_aifs_parts)};
         --left_;
         AifsExpression value;
         value.position = cursor_.position();
@@ -284,7 +284,7 @@ class BlockParser {
         : cursor_(cursor), block_(block), left_(left) {}
 
     void read() {
-        for (cursor_.skip(); !cursor_.at_end() && cursor_.peek() != '@'; cursor_.skip()) {
+        for (skip_gap(); !cursor_.at_end() && cursor_.peek() != '@'; skip_gap()) {
             try {
                 definition();
             } catch (const SyntaxMistake& mistake) {
@@ -295,6 +295,11 @@ class BlockParser {
     }
 
   private:
+    /// Between definitions a semicolon is one more blank.
+    void skip_gap() {
+        for (cursor_.skip(); cursor_.peek() == ';'; cursor_.skip()) cursor_.take();
+    }
+
     void definition() {
         AifsDefinition definition;
         definition.position = cursor_.position();
@@ -357,9 +362,14 @@ std::string AifsBlock::text_of(std::string_view name) const {
 }
 
 std::vector<AifsBlock> parse_aifs(std::string_view text, Diagnostics& diagnostics) {
+    std::size_t left = most_aifs_parts;
+    return parse_aifs_part(text, {}, left, diagnostics);
+}
+
+std::vector<AifsBlock> parse_aifs_part(std::string_view text, const Position& begin,
+                                       std::size_t& left, Diagnostics& diagnostics) {
     std::vector<AifsBlock> blocks;
-    std::size_t left = most_parts;
-    Cursor cursor(text);
+    Cursor cursor(text, begin);
     cursor.skip();
     if (!cursor.at_end() && cursor.peek() != '@') {
         diagnostics.error(cursor.position(),

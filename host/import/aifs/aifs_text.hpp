@@ -3,6 +3,7 @@
 // form of `$subspace` are text up to the end of their line.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,5 +55,12 @@ struct AifsBlock {
 
 /// The blocks of a file. Mistakes inside a block are kept with it, others go to `diagnostics`.
 [[nodiscard]] std::vector<AifsBlock> parse_aifs(std::string_view text, Diagnostics& diagnostics);
+
+/// The same of a part of a file, which begins at that place. `left` is how many numbers and names
+/// the file may still have, at first most_aifs_parts.
+[[nodiscard]] std::vector<AifsBlock> parse_aifs_part(std::string_view text, const Position& begin,
+                                                     std::size_t& left, Diagnostics& diagnostics);
+
+inline constexpr std::size_t most_aifs_parts = 2'000'000;  // some 250 MB in memory
 
 }  // namespace pxm::host

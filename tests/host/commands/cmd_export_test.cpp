@@ -152,6 +152,29 @@ TEST_F(Export, instances_are_written_where_cells_are_turned_and_geometry_where_t
     EXPECT_THAT(folder.read("a.glb"), HasSubstr("COLOR_0"));
 }
 
+/// For programs that know no instances: the same triangles.
+TEST_F(Export, geometry_is_written_where_it_is_asked_for) {
+    for (const char* file : {"a.glb", "a.gltf"}) {
+        (void)write("turning.pxm", file);
+        const Triangles instances = triangles(file);
+        (void)write("turning.pxm", file, {"--levels", "2", "--geometry"});
+        EXPECT_THAT(folder.read(file), Not(HasSubstr("EXT_mesh_gpu_instancing")));
+        const Triangles geometry = triangles(file);
+        ASSERT_EQ(geometry.size(), instances.size());
+        EXPECT_NEAR(inside_of(geometry), inside_of(instances), 1e-4);
+        EXPECT_LT(glm::distance(extent_of(geometry).low, extent_of(instances).low), 1e-5);
+        EXPECT_LT(glm::distance(extent_of(geometry).high, extent_of(instances).high), 1e-5);
+    }
+    expect_refusal(folder, {"export", "turning.pxm", "-o", "b.ply", "--levels", "2", "--geometry"},
+                   2, "--geometry is for glb and gltf, not for ply");
+}
+
+/// Readers of OBJ take colours for sRGB: 0.5 of red on the base colour of 0.9.
+TEST_F(Export, colours_of_an_obj_are_srgb) {
+    (void)write("turning.pxm", "a.obj", {"--levels", "1"});
+    EXPECT_THAT(folder.read("a.obj"), HasSubstr(" 0.9777 0.7014 0.7014\n"));
+}
+
 TEST_F(Export, usd_has_an_instancer_or_a_prim_a_cell) {
     (void)write("turning.pxm", "a.usda");
     const std::string instancer = folder.read("a.usda");

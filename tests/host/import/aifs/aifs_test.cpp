@@ -154,6 +154,14 @@ TEST(Aifs, sets_of_a_graph_follow_one_another) {
               1U);
 }
 
+TEST(Aifs, definitions_may_share_a_line) {
+    const Imported made = imported("@\n$dim=1\na=0.25;b=[1]; c=1/2;\nS=a*S|b*c*S\n");
+    ASSERT_EQ(made.scene.ifs[0].maps.size(), 2U);
+    EXPECT_EQ(map_of(made, 0).linear[0].x, 0.25);
+    EXPECT_EQ(map_of(made, 1).linear[0].x, 0.5);
+    EXPECT_EQ(map_of(made, 1).translation.x, 1);
+}
+
 TEST(Aifs, powers_of_unions_stay_small) {
     const Imported made =
         imported("@\n$dim=2\nm=1|[1,0]\ntrunk=m^11*leaf\nleaf=1/2*(1|[0,1])*leaf\n");
