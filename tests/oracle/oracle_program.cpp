@@ -16,6 +16,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -116,13 +117,17 @@ class Campaign {
     }
 
   private:
+    static bool is_of_grammar(std::uint64_t seed) { return seed % of_grammar == 0; }
+
     void one(std::uint64_t seed) {
         say({{"begin", seed}});
         settings_.seed = seed;
         host::Scene scene;
         try {
-            scene = seed % of_grammar == 0 ? grammar_scene(seed) : random_system(seed);
+            scene = is_of_grammar(seed) ? grammar_scene(seed) : random_system(seed);
             const Trial trial = try_scene(scene, settings_);
+            if (!trial.refused.empty() && is_of_grammar(seed))
+                throw std::runtime_error("refused: " + trial.refused);
             json line{{"done", seed}, {"counts", trial.score.counts}};
             for (const Find& find : trial.finds) line["finds"].push_back(kept(scene, find, seed));
             say(line);

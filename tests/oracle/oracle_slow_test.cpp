@@ -33,7 +33,7 @@ void expect_no_find(const Scene& scene, std::uint64_t seed, Score& score) {
     score.add(trial.score);
 }
 
-TEST(CampaignSlow, finds_nothing_in_random_systems) {
+TEST(OracleCampaignSlow, finds_nothing_in_random_systems) {
     Score score;
     for (std::uint64_t seed = 1; seed <= systems; ++seed)
         expect_no_find(random_system(seed), seed, score);
@@ -73,8 +73,8 @@ TEST_F(GrammarScene, has_the_bytes_of_its_print) {
         folder_.write("scene.pxm", text);
         folder_.write("print.pxm", print_scene(scene));
         for (const char* name : {"scene", "print"}) {
-            const std::string scene = std::string(name) + ".pxm",
-                              picture = std::string(name) + ".png";
+            const std::string file = std::string(name) + ".pxm";
+            const std::string picture = std::string(name) + ".png";
             expect_done(folder_, {"render", file, "--no-scene", "-o", picture});
         }
         EXPECT_EQ(folder_.read("scene.png"), folder_.read("print.png")) << text;

@@ -189,8 +189,9 @@ std::string SceneGrammar::ifs(const std::string& name, bool flat) {
     return draw_.one_in(4) ? fmt::format("r{}", text) : text;  // also written rifs
 }
 
-/// The maps that blends lie between.
+/// The maps that blends lie between. Ch. 13 takes no scene in which one turns.
 std::string SceneGrammar::ends() {
+    if (mode_ == Mode::fast) return "";
     return "ifs ends {\n    newmap closed scale: 0.5\n"
            "    newmap opened scale: 0.4 rotate: y,60 translate: 0.5,0,0\n}\n";
 }
@@ -217,8 +218,9 @@ void SceneGrammar::add_object_writers() {
     write("object.rotate", writers_["ifs.rotate"]);
     write("object.translate", [this] { return vector(1.5); });
     write("object.matrix", [this] {
-        return fmt::format("{},0,0.2, 0,{},0, 0.1,0,{}, {}", forms_.between(0.6, 1.5),
-                           forms_.between(0.6, 1.5), forms_.between(0.6, 1.5), vector(1));
+        const auto one = [&] { return forms_.between(0.6, 1.5); };
+        return fmt::format("{},0,0.2, 0,{},0, 0.1,0,{}, {},{},0", one(), one(), one(), one(),
+                           one());
     });
     write("object.color", writers_["ifs.color"]);
     write("object.opacity", [this] { return forms_.between(0.2, 0.9); });

@@ -101,6 +101,7 @@ class SceneTrial {
         if (!diagnostics.has_errors()) compiled_ = compile(scene_, 1, diagnostics);
         if (diagnostics.has_errors()) {
             trial_.score.add("scenes refused");
+            trial_.refused = diagnostics.text(scene_.files);
             return false;
         }
         compiled_.cell_cap = std::min(compiled_.cell_cap, settings_.cell_cap);

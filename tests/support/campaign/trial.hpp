@@ -54,6 +54,7 @@ struct Score {
 struct Trial {
     Score score;
     std::vector<Find> finds;  // the first of each method
+    std::string refused;      // why the scene was not rendered; empty if it was
 };
 
 /// The methods by name: print, double, float, dsp32, wide, heap, machine.
