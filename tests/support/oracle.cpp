@@ -17,7 +17,7 @@ using namespace host;
 
 namespace {
 
-constexpr long patience = 20'000'000;  // cells met by one ray
+constexpr std::size_t room = 400'000;  // cells that are kept from ray to ray
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// T as the thesis writes it: the rows of the matrix are Affine::linear's entries.
@@ -50,8 +50,8 @@ bool comes_before(const TerminalCell& a, const TerminalCell& b) {
     return std::tie(a.key, a.object, a.word) < std::tie(b.key, b.object, b.word);
 }
 
-Oracle::Oracle(const CompiledScene& scene, double smallest_share)
-    : scene_(scene), smallest_share_(smallest_share) {
+Oracle::Oracle(const CompiledScene& scene, double smallest_share, long patience)
+    : scene_(scene), smallest_share_(smallest_share), patience_(patience) {
     for (const CompiledShape& shape : scene.shapes) {
         map_lips_.emplace_back();
         for (const CompiledMap& map : shape.maps) {
@@ -66,19 +66,28 @@ Oracle::Oracle(const CompiledScene& scene, double smallest_share)
     }
 }
 
-Sight Oracle::sight(long x, long y) const {
+Sight Oracle::sight(long x, long y) const { return sight(x, y, glm::dvec2{0.0}); }
+
+Sight Oracle::sight(long x, long y, const glm::dvec2& moved) const {
     const CompiledCamera& camera = scene_.camera;
     const glm::dvec2 place =
-        scene_.samples.size() == 1 ? scene_.samples.front() : glm::dvec2{0.5, 0.5};
+        moved + (scene_.samples.size() == 1 ? scene_.samples.front() : glm::dvec2{0.5, 0.5});
     const glm::dvec3 on_plane = camera.corner + (static_cast<double>(x) + place.x) * camera.across +
                                 (static_cast<double>(y) + place.y) * camera.down;
     if (camera.projection == kernels::Projection::orthographic) return {on_plane, camera.forward};
     return {glm::dvec3{0.0}, glm::normalize(on_plane)};
 }
 
-std::vector<TerminalCell> Oracle::look(const Sight& ray) {
+std::vector<TerminalCell> Oracle::look(const Sight& ray) { return cells_before(ray, infinity); }
+
+std::vector<TerminalCell> Oracle::look_near(const Sight& ray) { return cells_before(ray, 2); }
+
+std::vector<TerminalCell> Oracle::cells_before(const Sight& ray, double behind) {
     std::vector<TerminalCell> found;
+    forget_cells();
     visited_ = 0;
+    behind_ = behind;
+    nothing_beyond_ = infinity;
     for (int object = 0; object < static_cast<int>(scene_.objects.size()); ++object) {
         TerminalCell path;
         path.object = object;
@@ -86,6 +95,7 @@ std::vector<TerminalCell> Oracle::look(const Sight& ray) {
         path.exit = infinity;
         visit(ray, static_cast<std::size_t>(object), path, found);
     }
+    std::erase_if(found, [&](const TerminalCell& cell) { return cell.key > nothing_beyond_; });
     std::ranges::sort(found, comes_before);
     return found;
 }
@@ -105,13 +115,14 @@ void Oracle::visit(const Sight& ray, std::size_t cell, TerminalCell& path,
     if (!crossing) return;
     const double key = std::max(path.key, crossing->entry);  // Erratum 3
     const double exit = std::min(path.exit, crossing->exit);
-    if (exit < key) return;
-    if (++visited_ > patience) throw std::runtime_error("a ray meets too many cells");
+    if (exit < key || key > nothing_beyond_) return;
+    if (++visited_ > patience_) throw std::runtime_error("a ray meets too many cells");
     const bool last_level =
         path.word.size() == scene_.objects[static_cast<std::size_t>(path.object)].levels;
     const double diameter = cells_[cell].diameter;
     if (last_level || diameter <= scene_.detail * pixel_size(path.object, key)) {
         found.push_back({key, path.object, path.word, exit, diameter});
+        nothing_beyond_ = std::min(nothing_beyond_, key + behind_ * pixel_size(path.object, key));
         return;
     }
     const double outer_key = path.key;
@@ -171,6 +182,12 @@ void Oracle::open(int object, std::size_t cell) {
     for (const int map : shape_of(object).sets[set].maps) {
         cells_.push_back(inside(object, cells_[cell], map));
     }
+}
+
+void Oracle::forget_cells() {
+    if (cells_.size() < room) return;
+    cells_.resize(scene_.objects.size());
+    for (Cell& cell : cells_) cell.children = 0;
 }
 
 std::vector<Oracle::PathNormal> Oracle::enclosing_normals(const Sight& ray, int object) const {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -38,14 +39,22 @@ struct Appearance {
 
 class Oracle {
   public:
+    static constexpr long usual_patience = 20'000'000;  // cells met by one ray
+
     /// p never falls below `smallest_share` of an object's diameter.
-    Oracle(const host::CompiledScene& scene, double smallest_share);
+    Oracle(const host::CompiledScene& scene, double smallest_share, long patience = usual_patience);
 
     /// The line of sight through the centre of a pixel.
     [[nodiscard]] Sight sight(long x, long y) const;
+    /// The same so many pixels to the right and down.
+    [[nodiscard]] Sight sight(long x, long y, const glm::dvec2& moved) const;
     /// All terminal cells that the ray meets, in order; the first one is what is shown. Throws
     /// std::runtime_error if the ray meets more cells than a test can wait for.
     [[nodiscard]] std::vector<TerminalCell> look(const Sight& ray);
+    /// The same without those that lie more than two p behind the first one: all that can be shown.
+    /// A cell's key is never smaller than that of the cell around it, so that what begins farther
+    /// away need not be opened.
+    [[nodiscard]] std::vector<TerminalCell> look_near(const Sight& ray);
     /// p(key) for an object.
     [[nodiscard]] double pixel_size(int object, double key) const;
     /// Shading by the definition (Ch. 17).
@@ -89,6 +98,9 @@ class Oracle {
     [[nodiscard]] Cell outermost(int object) const;
     [[nodiscard]] Cell inside(int object, const Cell& cell, int map) const;
     void open(int object, std::size_t cell);
+    /// Forgets the cells inside the outermost ones once they are many.
+    void forget_cells();
+    [[nodiscard]] std::vector<TerminalCell> cells_before(const Sight& ray, double behind);
     void visit(const Sight& ray, std::size_t cell, TerminalCell& path,
                std::vector<TerminalCell>& found);
 
@@ -97,7 +109,10 @@ class Oracle {
     std::vector<Cell> cells_;           // the objects' outermost cells first
     std::vector<double> object_sizes_;  // diameter of the outermost volume by the exact constant
     std::vector<std::vector<double>> map_lips_;  // per shape and map: Lip w
-    long visited_ = 0;                           // cells met by the current ray
+    long patience_;
+    long visited_ = 0;           // cells met by the current ray
+    double behind_ = 0;          // how many p behind the nearest cell is still of interest
+    double nothing_beyond_ = 0;  // keys from which on nothing is
 };
 
 }  // namespace pxm::test

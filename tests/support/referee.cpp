@@ -25,28 +25,6 @@ bool same_depth(const CompiledScene& scene, const PixelRecord& pixel, double key
     return std::abs(static_cast<double>(pixel.z) - z) <= 1e-3 * reach * scene.unit + 1e-6 * z;
 }
 
-bool shows(const CompiledScene& scene, const PixelRecord& pixel, const TerminalCell& cell) {
-    const CompiledObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
-    std::vector<int> word = object.prefix;
-    word.insert(word.end(), cell.word.begin(), cell.word.end());
-    return pixel.object == object.origin && pixel.level == static_cast<int>(word.size()) &&
-           pixel.word == hash_of(word) && same_depth(scene, pixel, cell.key);
-}
-
-bool is_miss(const PixelRecord& pixel) {
-    return pixel.object == -1 && pixel.level == -1 && pixel.word == 0 && pixel.alpha == 0 &&
-           std::isinf(pixel.z);
-}
-
-bool same_color(const PixelRecord& pixel, const glm::dvec3& color) {
-    for (int i = 0; i < 3; ++i) {
-        if (!(std::abs(static_cast<double>(pixel.color[i]) - color[i]) <= color_tolerance)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 std::string text_of(const CompiledScene& scene, const TerminalCell& cell) {
     return fmt::format("object {} word [{}] z {:.9g}", cell.object, fmt::join(cell.word, " "),
                        cell.key * scene.unit);
@@ -56,7 +34,7 @@ std::string text_of(const CompiledScene& scene, const TerminalCell& cell) {
 class Referee {
   public:
     Referee(const CompiledScene& scene, Numeric numeric)
-        : scene_(scene), oracle_(scene, numeric == Numeric::double_ ? share_twice : share_single) {}
+        : scene_(scene), oracle_(scene, smallest_share(numeric)) {}
 
     void look_at(long x, long y, const PixelRecord& pixel) {
         const Sight ray = oracle_.sight(x, y);
@@ -119,6 +97,32 @@ class Referee {
 };
 
 }  // namespace
+
+bool shows(const CompiledScene& scene, const PixelRecord& pixel, const TerminalCell& cell) {
+    const CompiledObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
+    std::vector<int> word = object.prefix;
+    word.insert(word.end(), cell.word.begin(), cell.word.end());
+    return pixel.object == object.origin && pixel.level == static_cast<int>(word.size()) &&
+           pixel.word == hash_of(word) && same_depth(scene, pixel, cell.key);
+}
+
+bool is_miss(const PixelRecord& pixel) {
+    return pixel.object == -1 && pixel.level == -1 && pixel.word == 0 && pixel.alpha == 0 &&
+           std::isinf(pixel.z);
+}
+
+bool same_color(const PixelRecord& pixel, const glm::dvec3& color) {
+    for (int i = 0; i < 3; ++i) {
+        if (!(std::abs(static_cast<double>(pixel.color[i]) - color[i]) <= color_tolerance)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+double smallest_share(Numeric numeric) {
+    return numeric == Numeric::double_ ? share_twice : share_single;
+}
 
 std::uint32_t hash_of(const std::vector<int>& word) {
     std::uint32_t hash = 2166136261U;  // FNV-1a: the bytes of each symbol + 1, then 255

@@ -12,6 +12,16 @@ namespace pxm::test {
 /// The frame's 24-bit hash of a word, computed from the word.
 [[nodiscard]] std::uint32_t hash_of(const std::vector<int>& word);
 
+/// Whether a pixel shows that cell: its object, level, word and depth.
+[[nodiscard]] bool shows(const host::CompiledScene& scene, const host::PixelRecord& pixel,
+                         const TerminalCell& cell);
+/// Whether a pixel is as one is that misses.
+[[nodiscard]] bool is_miss(const host::PixelRecord& pixel);
+/// Whether a pixel has that colour, within 1/255.
+[[nodiscard]] bool same_color(const host::PixelRecord& pixel, const glm::dvec3& color);
+/// The share of an object's diameter below which p does not fall.
+[[nodiscard]] double smallest_share(host::Numeric numeric);
+
 /// What a frame's pixels are worth.
 struct Verdict {
     long pixels = 0;

@@ -96,6 +96,7 @@ DecimalVec3 ValueReader::decimals(std::string_view note) {
 
 glm::dvec3 ValueReader::scale_factors() {
     constexpr std::string_view note = "'scale' takes one number or sx,sy,sz";
+    if (keys_are_points()) return vec3(note);
     const double x = number();
     if (!tokens_.accept(',')) return glm::dvec3{x};
     const double y = number();

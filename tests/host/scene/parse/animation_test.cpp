@@ -116,6 +116,22 @@ TEST(Keys, may_be_points_and_colors) {
     EXPECT_EQ(*r.scene.objects[0].color, (glm::dvec4{0.5, 0.5, 0, 0.5}));
 }
 
+/// Also where it takes one as well.
+TEST(Keys, may_be_points_for_scale_as_for_every_directive_of_several_numbers) {
+    const std::string text =
+        std::string(film) +
+        "ifs a { newmap scale: key(t: 0 -> (0.5,0.25,0.5), 1 -> (0.25,0.75,0.5), linear) }\n"
+        "object o { ifs: a scale: key(t: 0 -> (1,2,3), 1 -> (3,4,5), linear) }\n"
+        "object p { ifs: a scale: key(t: 0 -> (1+1)*1, 1 -> 4, linear) }\n"
+        "render { covers: key(t: 0 -> (0.25,1), 1 -> (0.75,3), linear) }";
+    const Read r = read(text, 5);
+    ASSERT_EQ(r.mistakes, "");
+    EXPECT_EQ(compose(r.scene.ifs[0].maps[0].commands), scaling({0.375, 0.5, 0.5}));
+    EXPECT_EQ(compose(r.scene.objects[0].commands), scaling({2, 3, 4}));
+    EXPECT_EQ(compose(r.scene.objects[1].commands), scaling({3, 3, 3}));
+    EXPECT_EQ(std::get<Covers>(*r.scene.render->covers), (Covers{0.5, 2}));
+}
+
 TEST(Zoom, goes_exponentially_by_its_keys) {
     const std::string text =
         std::string(film) + half + "camera { zoom: key(t: 0 -> 1, 1 -> 1e30) }";
