@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <system_error>
 
 #include "host/commands/cmd.hpp"
 #include "host/commands/option_checks.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/error.hpp"
+#include "host/files/new_folder.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/inspect/attractor_point.hpp"
 #include "host/inspect/inspect_json.hpp"
@@ -85,9 +85,7 @@ void write_graphs(const Inspection& found, const std::string& folder) {
         throw Error(
             ErrorKind::scene,
             "no system of the scene has neighbours that were found finite: nothing to write");
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed || !std::filesystem::is_directory(folder, failed))
+    if (make_folders(folder))
         throw Error(ErrorKind::file,
                     fmt::format("cannot make the folder \"{}\"", printable_path(folder)));
     for (const NeighbourFile& file : files) {

@@ -1,6 +1,5 @@
 #include "host/files/safe_file.hpp"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "host/files/new_folder.hpp"
 #include "host/files/new_part.hpp"
 
 namespace pxm::host {
@@ -20,15 +20,6 @@ namespace {
 constexpr mode_t permissions = 0777;
 constexpr mode_t of_group = 0070, of_others = 0007;
 constexpr int others_to_group = 3;  // bits
-
-/// The name of a file is on the disk once its folder is. A file system that cannot do this is no
-/// reason to give up what is in place.
-void sync_folder(const std::string& folder) {
-    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    fsync(descriptor);
-    close(descriptor);
-}
 
 std::string temporary_folder() {
     std::error_code error;

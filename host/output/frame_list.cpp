@@ -89,9 +89,10 @@ std::vector<long> frames_of(const std::string& text, long frames) {
         const Range range = range_of(text, text.substr(at, comma - at));
         if (range.last >= frames)
             refuse(text, fmt::format("the animation has the frames 0 to {}", frames - 1));
-        for (long frame = range.first; frame <= range.last; frame += range.step) {
+        for (long frame = range.first;; frame += range.step) {
             if (!seen.insert(frame).second) refuse(text, fmt::format("{} is said twice", frame));
             list.push_back(frame);
+            if (range.step > range.last - frame) break;  // the next may be beyond all numbers
         }
         at = comma + 1;
     }

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "host/error.hpp"
+#include "host/files/new_folder.hpp"
 #include "host/parts/part_file.hpp"
 #include "host/process/in_order.hpp"
 #include "host/text/printable.hpp"
@@ -90,9 +92,7 @@ void write_whole(const RenderResult& picture, const PartHeading& heading, const 
 }
 
 void make_part_folder(const std::string& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error && fs::is_directory(folder)) error.clear();
+    const std::error_code error = make_folders(folder);
     if (error) {
         throw Error(ErrorKind::file, fmt::format("cannot make the folder {}: {}",
                                                  printable_path(folder), error.message()));

@@ -4,8 +4,10 @@
 
 #include <chrono>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
+#include "host/files/new_folder.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/process/interrupt.hpp"
 #include "host/process/progress.hpp"
@@ -37,11 +39,10 @@ StudyPlan plan_of(const StudyRequest& request) {
 }
 
 void make_folder(const std::string& path) {
-    std::error_code error;
     if (std::filesystem::exists(path) && !std::filesystem::is_directory(path))
         throw Error(ErrorKind::file,
                     fmt::format("cannot make the folder {}: it is a file", printable_path(path)));
-    std::filesystem::create_directories(path, error);
+    const std::error_code error = make_folders(path);
     if (error) {
         throw Error(ErrorKind::file, fmt::format("cannot make the folder {}: {}",
                                                  printable_path(path), error.message()));

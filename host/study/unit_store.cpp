@@ -1,8 +1,10 @@
 #include "host/study/unit_store.hpp"
 
 #include <filesystem>
+#include <system_error>
 
 #include "host/error.hpp"
+#include "host/files/new_folder.hpp"
 #include "host/files/regular_file.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/text/json_text.hpp"
@@ -39,8 +41,7 @@ std::optional<Json> UnitStore::find(const std::string& name, const Json& setting
 }
 
 void UnitStore::put(const std::string& name, const Json& settings, const Json& result) {
-    std::error_code error;
-    std::filesystem::create_directories(folder_, error);
+    const std::error_code error = make_folders(folder_);
     if (error) {
         throw Error(ErrorKind::file,
                     "cannot make the folder " + printable_path(folder_) + ": " + error.message());

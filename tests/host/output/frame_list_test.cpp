@@ -24,6 +24,8 @@ TEST(Frames, are_ranges_with_steps_and_single_ones_in_the_order_written) {
     EXPECT_EQ(frames_of("7,3,20-22", 100), (std::vector<long>{7, 3, 20, 21, 22}));
     EXPECT_EQ(frames_of("007", 100), std::vector<long>{7});
     EXPECT_EQ(frames_of("99-99", 100), std::vector<long>{99});
+    EXPECT_EQ(frames_of("1-3:9223372036854775807", 100), std::vector<long>{1});
+    EXPECT_EQ(frames_of("1-3:2", 100), (std::vector<long>{1, 3}));
 }
 
 TEST(Frames, that_are_none_are_refused) {
