@@ -61,6 +61,7 @@ class Builder {
         result.view = make_view(scene_.camera.value_or(CameraBlock{}),
                                 image.size.value_or(PixelSize{}), ball_around(placed_), 1);
         result.scale = request_.scale;
+        result.most_cells = request_.most_cells;
         result.scene = &scene_;
         result.systems = std::move(systems_);
         return result;

@@ -28,12 +28,14 @@ struct ExportRequest {
     std::optional<double> detail;  // a length of the scene
     double scale = 1;              // lengths in the file a length of the scene
     ShapeChoice shape;
+    double most_cells = 1e9;  // of a file
 };
 
 struct ExportScene {
     std::vector<ExportSystem> systems;
     View view;
     double scale = 1;
+    double most_cells = 1e9;
     const Scene* scene = nullptr;
 };
 
