@@ -118,9 +118,10 @@ ExitCode run_export(const ExportArguments& arguments) {
     ExportOutcome outcome;
     {
         Progress progress(arguments.quiet);
-        outcome = export_file(scene, request, format, arguments.out,
-                              "pxm " PXM_VERSION " export of " + arguments.scene, progress,
-                              stop_requested());
+        outcome = export_file(
+            scene, request, format, arguments.out,
+            "pxm " PXM_VERSION " export of " + arguments.scene,
+            [&](double share) { progress.update(share); }, stop_requested());
     }
     tell(outcome.messages);
     return outcome.stopped ? exit_code_of_signal(received_signal()) : ExitCode::done;

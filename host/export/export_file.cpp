@@ -74,8 +74,8 @@ std::string summary(const CellTally& tally, const std::string& path) {
 }
 
 std::string write_cells(const ExportScene& scene, ExportFormat format, const std::string& path,
-                        const std::string& data, const std::string& title, Progress& progress,
-                        const std::atomic<bool>& stop) {
+                        const std::string& data, const std::string& title,
+                        const HearShare& progress, const std::atomic<bool>& stop) {
     const CellTally forecasted = forecast(scene);
     if (format == ExportFormat::ply) require_ply(forecasted);
     if (format == ExportFormat::stl) require_stl(forecasted);
@@ -138,7 +138,7 @@ std::string data_path(const ExportFormatName& format, const std::string& path) {
 
 ExportOutcome export_file(const Scene& scene, const ExportRequest& request,
                           const ExportFormatName& format, const std::string& path,
-                          const std::string& title, Progress& progress,
+                          const std::string& title, const HearShare& progress,
                           const std::atomic<bool>& stop) {
     ExportOutcome outcome;
     if (format.format == ExportFormat::aifs || format.format == ExportFormat::flame) {

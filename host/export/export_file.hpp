@@ -6,7 +6,7 @@
 
 #include "host/export/export_format.hpp"
 #include "host/export/export_scene.hpp"
-#include "host/process/progress.hpp"
+#include "host/export/tally.hpp"
 #include "host/scene/diagnostics.hpp"
 
 namespace pxm::host {
@@ -16,14 +16,14 @@ namespace pxm::host {
 
 struct ExportOutcome {
     std::string messages;  // what was left out, and what the file holds: lines
-    bool stopped = false;  // by a signal; nothing was written
+    bool stopped = false;  // as was asked for; nothing was written
 };
 
 /// Throws Error: setting where the format cannot hold what there is, scene where the scene is
 /// wrong, file where it cannot be written. Then what was at `path` before is there still.
 [[nodiscard]] ExportOutcome export_file(const Scene& scene, const ExportRequest& request,
                                         const ExportFormatName& format, const std::string& path,
-                                        const std::string& title, Progress& progress,
+                                        const std::string& title, const HearShare& progress,
                                         const std::atomic<bool>& stop);
 
 }  // namespace pxm::host

@@ -62,6 +62,7 @@ class Builder {
                                 image.size.value_or(PixelSize{}), ball_around(placed_), 1);
         result.scale = request_.scale;
         result.geometry = request_.geometry;
+        result.most_cells = request_.most_cells;
         result.scene = &scene_;
         result.systems = std::move(systems_);
         return result;

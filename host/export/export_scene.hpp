@@ -29,6 +29,7 @@ struct ExportRequest {
     double scale = 1;              // lengths in the file a length of the scene
     bool geometry = false;         // no instances, where a format has them
     ShapeChoice shape;
+    double most_cells = 1e9;  // of a file
 };
 
 struct ExportScene {
@@ -36,6 +37,7 @@ struct ExportScene {
     View view;
     double scale = 1;
     bool geometry = false;
+    double most_cells = 1e9;
     const Scene* scene = nullptr;
 };
 

@@ -71,8 +71,7 @@ class Counter {
 
 void Watch::look() {
     if (stop_) throw ExportStopped{};
-    if (expected_ > 0)
-        progress_.update(static_cast<double>(visited_) / static_cast<double>(expected_));
+    if (expected_ > 0) progress_(static_cast<double>(visited_) / static_cast<double>(expected_));
 }
 
 namespace {
@@ -108,7 +107,7 @@ Counts by_levels(const ExportSystem& system) {
     return inside[static_cast<std::size_t>(system.start)];
 }
 
-[[noreturn]] void refuse_number(const ExportSystem& system) {
+[[noreturn]] void refuse_number(const ExportSystem& system, double most_cells) {
     throw Error(ErrorKind::setting,
                 fmt::format("object \"{}\" has more than {:.0f} cells: fewer --levels or a larger "
                             "--detail",
@@ -144,9 +143,10 @@ CellTally tally_of(const ExportScene& scene, Watch& watch) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const ExportSystem& system : scene.systems) {
         Counter counter(system, tally.systems.emplace_back());
-        if (system.detail <= 0 && cells_by_levels(system) > most_cells) refuse_number(system);
+        if (system.detail <= 0 && cells_by_levels(system) > scene.most_cells)
+            refuse_number(system, scene.most_cells);
         const bool ended = for_each_cell(system, [&](const Cell& cell) {
-            if (++count > most_cells) refuse_number(system);
+            if (++count > scene.most_cells) refuse_number(system, scene.most_cells);
             watch.visit();
             counter.add(cell);
         });

@@ -5,22 +5,26 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <vector>
 
 #include "host/export/export_scene.hpp"
 #include "host/output/cloud_extent.hpp"
-#include "host/process/progress.hpp"
 
 namespace pxm::host {
 
-/// A signal asked for the end.
+/// The end was asked for.
 struct ExportStopped {};
+
+/// Hears which share is done, 0 to 1.
+using HearShare = std::function<void(double)>;
 
 /// Counts what was visited, for the progress and for signals.
 class Watch {
   public:
-    Watch(Progress& progress, const std::atomic<bool>& stop) : progress_(progress), stop_(stop) {}
+    Watch(const HearShare& progress, const std::atomic<bool>& stop)
+        : progress_(progress), stop_(stop) {}
 
     /// Of `cells` visits in all; before the first of them.
     void expect(std::uint64_t cells) { expected_ = cells; }
@@ -32,7 +36,7 @@ class Watch {
   private:
     void look();
 
-    Progress& progress_;
+    const HearShare& progress_;
     const std::atomic<bool>& stop_;
     std::uint64_t expected_ = 0;
     std::uint64_t visited_ = 0;
@@ -64,14 +68,12 @@ struct CellTally {
 /// length, which nobody knows before; largest numbers where there are more.
 [[nodiscard]] CellTally forecast(const ExportScene& scene);
 
-inline constexpr double most_cells = 1e9;  // of a file
-
 /// How many cells there are if nothing but the levels ends a word, without visiting them; infinity
 /// if that is too many for a double.
 [[nodiscard]] double cells_by_levels(const ExportSystem& system);
 
 /// Visits every cell once. Throws Error(ErrorKind::scene) where words do not end, and
-/// Error(ErrorKind::setting) if there are more than most_cells.
+/// Error(ErrorKind::setting) if there are more than the scene may have.
 [[nodiscard]] CellTally tally_of(const ExportScene& scene, Watch& watch);
 
 /// Calls visit(system, cell) for each cell of every object, with its numbers.

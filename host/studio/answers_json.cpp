@@ -142,6 +142,11 @@ std::string imported_json(const MadeScene& made) {
     return json_text({{"name", made.name}, {"text", made.text}, {"messages", made.messages}});
 }
 
+std::string exported_json(const Exported& exported) {
+    return json_text(
+        {{"exported", exported.end == ExportEnd::written}, {"messages", exported.messages}});
+}
+
 std::string study_json(const StudyFindings& findings) {
     Json tables = Json::array();
     for (const TextFile& table : findings.tables)

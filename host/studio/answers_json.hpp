@@ -10,6 +10,7 @@
 #include "host/render/render.hpp"
 #include "host/studio/brought_file.hpp"
 #include "host/studio/jobs.hpp"
+#include "host/studio/scene_export.hpp"
 #include "host/studio/scene_folder.hpp"
 #include "host/studio/scene_view.hpp"
 #include "host/studio/small_study.hpp"
@@ -37,6 +38,8 @@ struct StudioFacts {
 
 [[nodiscard]] std::string imported_json(const MadeScene& made);
 [[nodiscard]] std::string study_json(const StudyFindings& findings);
+/// `{"exported": true, "messages": ...}`; false: there is a file of that name.
+[[nodiscard]] std::string exported_json(const Exported& exported);
 
 [[nodiscard]] std::string opened_json(const SceneFile& file);
 [[nodiscard]] std::string saved_json(Saved saved, const std::string& digest);

@@ -171,4 +171,20 @@ AskedStudy asked_study(const std::string& body) {
     return asked;
 }
 
+AskedExport asked_export(const std::string& body) {
+    const Json json = parsed(body);
+    AskedExport asked;
+    asked.scene = scene_of(json);
+    asked.file = text_at(json, "file", setting_bytes);
+    constexpr long most_levels = 1000;
+    if (json.contains("levels")) asked.levels = whole_at(json, "levels", 0, most_levels);
+    if (json.contains("detail")) {
+        if (!json["detail"].is_number() || !(json["detail"] > 0))
+            refuse("detail", "a length greater than 0");
+        asked.detail = json["detail"].get<double>();
+    }
+    asked.replaces = json.value("replaces", Json(false)) == true;
+    return asked;
+}
+
 }  // namespace pxm::host

@@ -6,6 +6,7 @@
 
 #include "host/studio/asks.hpp"
 #include "host/studio/brought_file.hpp"
+#include "host/studio/scene_export.hpp"
 #include "host/studio/small_study.hpp"
 
 namespace pxm::host {
@@ -50,5 +51,6 @@ struct AskedImport {
 [[nodiscard]] AskedImport asked_import(const std::string& body);
 
 [[nodiscard]] AskedStudy asked_study(const std::string& body);
+[[nodiscard]] AskedExport asked_export(const std::string& body);
 
 }  // namespace pxm::host

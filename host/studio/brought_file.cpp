@@ -11,6 +11,7 @@
 #include "host/import/import.hpp"
 #include "host/import/imported_scene.hpp"
 #include "host/studio/private_folder.hpp"
+#include "host/text/without.hpp"
 
 namespace pxm::host {
 
@@ -30,13 +31,6 @@ std::string plain_name(const std::string& name) {
     return plain.empty() || plain.front() == '.' ? "brought" + plain : plain;
 }
 
-/// Where the file lay meanwhile means nothing to whoever brought it.
-std::string without(std::string text, const std::string& part) {
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at))
-        text.erase(at, part.size());
-    return text;
-}
-
 }  // namespace
 
 MadeScene scene_from(const BroughtFile& brought, const std::atomic<bool>& stop) {
@@ -53,6 +47,7 @@ MadeScene scene_from(const BroughtFile& brought, const std::atomic<bool>& stop) 
         const Imported imported = import_file(request);
         return {scene_name(imported.name) + ".pxm", imported.text, imported.messages};
     } catch (const Error& error) {
+        // Where the file lay meanwhile means nothing to whoever brought it.
         throw Error(error.kind(), without(error.what(), folder.path() + "/"));
     }
 }

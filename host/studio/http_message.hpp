@@ -28,6 +28,17 @@ struct HttpAnswer {
     std::shared_ptr<void> held = {};
 };
 
+/// An answer that is sent while it is being made. For the thread that answers, and for those that
+/// it works with.
+class HttpBody {
+  public:
+    virtual ~HttpBody() = default;
+    /// Once, before anything else: all but the body. What the guest returns afterwards is ignored.
+    virtual void begin(HttpAnswer head) = 0;
+    /// A piece, not empty. One thread at a time.
+    virtual void send(std::string piece) = 0;
+};
+
 /// The value of a header line that stands there once, in whatever case; empty if it is not there
 /// or there several times.
 [[nodiscard]] std::string field_of(const HttpRequest& request, std::string_view name);

@@ -1,5 +1,5 @@
-// Requests over HTTP/1.1 from this computer alone. Its .cpp alone knows Boost.Beast, whose headers
-// cost more to compile than the rest of the room.
+// Requests over HTTP/1.1 from this computer alone. Its .cpp and http_connection alone know
+// Boost.Beast, whose headers cost more to compile than the rest of the room.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,9 @@ struct HttpLimits {
 struct HttpGuests {
     /// Before the body is read: an answer if the request is refused.
     std::function<std::optional<HttpAnswer>(const HttpRequest&)> refuse;
-    /// In a thread of its own, which may take its time. Must not throw.
-    std::function<HttpAnswer(const HttpRequest&)> answer;
+    /// In a thread of its own, which may take its time. What is long is sent piece by piece; else
+    /// it is returned. Must not throw.
+    std::function<HttpAnswer(const HttpRequest&, HttpBody&)> answer;
 };
 
 /// Listens on 127.0.0.1, and on ::1 where there is that, from its beginning to its end.

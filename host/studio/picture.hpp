@@ -1,9 +1,7 @@
-// A picture on its way to the page: its pixels as a canvas has them, made by the threads that
-// render; what is known of it; and of the machine what every pixel cost.
+// A picture that a page asks for: block by block for its canvas, or as a file.
 #pragma once
 
 #include <atomic>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,20 +10,21 @@
 
 namespace pxm::host {
 
+/// Renders until `stop` is set, by others or because it takes too long. `progress` hears which
+/// share is done, from any thread. Throws as render().
+[[nodiscard]] RenderResult render_asked(const AskedPicture& asked, int threads,
+                                        std::atomic<bool>& stop,
+                                        const std::function<void(double)>& progress,
+                                        PictureTaker& taker);
+
 struct Picture {
-    RenderResult result;                // without its frame
-    std::vector<unsigned char> rgba;    // red, green, blue, 255
-    std::vector<std::uint32_t> cycles;  // of the machine's pixels
+    RenderResult result;             // without its frame
+    std::vector<unsigned char> rgb;  // three bytes a pixel
 };
 
-/// Renders until `stop` is set, by others or because it takes too long. Throws as
-/// render(). `progress` hears the share that is done, from any thread.
-[[nodiscard]] Picture render_asked(const AskedPicture& asked, int threads, std::atomic<bool>& stop,
-                                   const std::function<void(double)>& progress = {});
-
-/// Four bytes with the length of the head, lowest first; the head; four bytes a pixel; of the
-/// machine four more a pixel, its cycles, lowest first.
-[[nodiscard]] std::string picture_bytes(const std::string& head, const Picture& picture);
+/// The same, kept.
+[[nodiscard]] Picture picture_asked(const AskedPicture& asked, int threads, std::atomic<bool>& stop,
+                                    const std::function<void(double)>& progress = {});
 
 /// The file that `pxm render -o x.png` writes of it.
 [[nodiscard]] std::string png_bytes(const Picture& picture);

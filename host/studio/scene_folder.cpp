@@ -10,6 +10,7 @@
 #include "host/files/safe_file.hpp"
 #include "host/text/digest.hpp"
 #include "host/text/printable.hpp"
+#include "host/text/without.hpp"
 
 namespace pxm::host {
 
@@ -39,6 +40,12 @@ void require_parts(const std::string& name) {
     }
 }
 
+void require_below(const std::string& name) {
+    if (name.empty() || name.size() > longest_name || name.front() == '/')
+        refuse(name, "expected a name below the studio's folder");
+    require_parts(name);
+}
+
 std::string digest_text(const std::string& text) { return fmt::format("{:016x}", digest_of(text)); }
 
 }  // namespace
@@ -51,15 +58,17 @@ SceneFolder::SceneFolder(const std::string& path) {
 }
 
 void SceneFolder::require_name(const std::string& name) {
-    if (name.empty() || name.size() > longest_name || name.front() == '/')
-        refuse(name, "expected a name below the studio's folder");
-    require_parts(name);
+    require_below(name);
     if (!name.ends_with(".pxm")) refuse(name, "expected a name that ends in .pxm");
 }
 
-/// Where the file is or would be. No part of the way there is a link.
-fs::path SceneFolder::place_of(const std::string& name) const {
+fs::path SceneFolder::scene_place(const std::string& name) const {
     require_name(name);
+    return place_of(name);
+}
+
+fs::path SceneFolder::place_of(const std::string& name) const {
+    require_below(name);
     fs::path place = root_;
     const fs::path relative(name);
     for (const fs::path& part : relative) {
@@ -73,6 +82,10 @@ fs::path SceneFolder::place_of(const std::string& name) const {
     if (fs::symlink_status(place, error).type() == fs::file_type::symlink)
         throw Error(ErrorKind::file, name + ": is a link");
     return place;
+}
+
+std::string SceneFolder::told(const std::string& message) const {
+    return without(message, root_.string() + "/");
 }
 
 std::vector<std::string> SceneFolder::scenes() const {
@@ -96,7 +109,7 @@ std::vector<std::string> SceneFolder::scenes() const {
 }
 
 SceneFile SceneFolder::open(const std::string& name) const {
-    const RegularFile file(place_of(name).string(), name);
+    const RegularFile file(scene_place(name).string(), name);
     if (file.bytes() > scene_bytes)
         throw Error(ErrorKind::file, fmt::format("{}: the studio opens scenes of up to {} bytes",
                                                  name, scene_bytes));
@@ -108,7 +121,7 @@ SceneFile SceneFolder::open(const std::string& name) const {
 
 Saved SceneFolder::save(const std::string& name, const std::string& text,
                         const std::string& seen) const {
-    const fs::path place = place_of(name);
+    const fs::path place = scene_place(name);
     std::string now;
     if (fs::exists(fs::symlink_status(place))) now = open(name).digest;
     if (now == digest_text(text)) return Saved::done;

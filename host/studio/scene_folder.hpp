@@ -35,11 +35,17 @@ class SceneFolder {
     [[nodiscard]] Saved save(const std::string& name, const std::string& text,
                              const std::string& seen) const;
 
+    /// Where a file of that name is or would be, of whatever ending: below the folder, and no part
+    /// of the way there is a link. Throws as open() does.
+    [[nodiscard]] std::filesystem::path place_of(const std::string& name) const;
+    /// A message without the place of the folder, which a page need not know.
+    [[nodiscard]] std::string told(const std::string& message) const;
+
     /// Throws Error(ErrorKind::setting) unless this may be a scene's name here.
     static void require_name(const std::string& name);
 
   private:
-    [[nodiscard]] std::filesystem::path place_of(const std::string& name) const;
+    [[nodiscard]] std::filesystem::path scene_place(const std::string& name) const;
 
     std::filesystem::path root_;
 };

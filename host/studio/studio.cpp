@@ -21,8 +21,10 @@
 #include "host/studio/http_server.hpp"
 #include "host/studio/jobs.hpp"
 #include "host/studio/picture.hpp"
+#include "host/studio/picture_parts.hpp"
 #include "host/studio/presence.hpp"
 #include "host/studio/scene_answers.hpp"
+#include "host/studio/scene_export.hpp"
 #include "host/studio/scene_folder.hpp"
 #include "host/studio/small_study.hpp"
 #include "host/studio/turns.hpp"
@@ -69,15 +71,15 @@ class Studio::Desk {
                     {"POST /api/save", [this](const HttpRequest& r) { return save(r); }},
                     {"POST /api/check", [this](const HttpRequest& r) { return check(r); }},
                     {"POST /api/inspect", [this](const HttpRequest& r) { return inspect(r); }},
-                    {"POST /api/picture", [this](const HttpRequest& r) { return picture(r); }},
                     {"POST /api/png", [this](const HttpRequest& r) { return png(r); }},
                     {"POST /api/progress", [this](const HttpRequest& r) { return progress(r); }},
                     {"POST /api/import", [this](const HttpRequest& r) { return import(r); }},
                     {"POST /api/study", [this](const HttpRequest& r) { return study(r); }},
+                    {"POST /api/export", [this](const HttpRequest& r) { return exported(r); }},
                     {"POST /api/pick", [this](const HttpRequest& r) { return pick(r); }},
                     {"POST /api/pixel", [this](const HttpRequest& r) { return pixel(r); }}};
         server_->start({[this](const HttpRequest& r) { return gate_.refusal(r); },
-                        [this](const HttpRequest& r) { return answer(r); }});
+                        [this](const HttpRequest& r, HttpBody& body) { return answer(r, body); }});
     }
     Desk(const Desk&) = delete;
     Desk& operator=(const Desk&) = delete;
@@ -90,13 +92,18 @@ class Studio::Desk {
     [[nodiscard]] const Presence& presence() const { return presence_; }
 
   private:
-    HttpAnswer answer(const HttpRequest& request) {
-        HttpAnswer answer = guarded([&] { return route(request); });
+    static HttpAnswer with_guard(HttpAnswer answer) {
         for (HttpField& field : guarding_fields()) answer.fields.push_back(std::move(field));
         return answer;
     }
 
-    HttpAnswer route(const HttpRequest& request) {
+    HttpAnswer answer(const HttpRequest& request, HttpBody& body) {
+        return with_guard(guarded([&] { return route(request, body); }));
+    }
+
+    HttpAnswer route(const HttpRequest& request, HttpBody& body) {
+        if (request.method == "POST" && request.path == "/api/picture")
+            return picture(request, body);
         const auto found = answers_.find(request.method + " " + request.path);
         if (found != answers_.end()) return found->second(request);
         const bool page = request.path == "/";
@@ -166,7 +173,7 @@ class Studio::Desk {
         return in_turn(asked.asking, [&](const auto&) { return answer_of(inspect_answer(asked)); });
     }
 
-    /// What is made of a picture that was not stopped.
+    /// What `make(asked, stop, progress)` makes of a picture that is asked for.
     template <class Make>
     HttpAnswer rendered(const HttpRequest& request, const Make& make) {
         const AskedPicture asked = asked_picture(request.body);
@@ -175,8 +182,7 @@ class Studio::Desk {
                 asked.machine ? static_cast<std::size_t>(asked.machine->nodes()) : 0;
             const auto job = jobs_.begin(asked.scene.asking.view, nodes);
             const NodeWatch::Laid watched(nodes > 0 ? &job->watch : nullptr);
-            return make(render_asked(asked, settings_.threads, stop,
-                                     [&](double share) { job->share = share; }));
+            return make(asked, stop, [&](double share) { job->share = share; });
         });
     }
 
@@ -201,16 +207,40 @@ class Studio::Desk {
         });
     }
 
-    HttpAnswer picture(const HttpRequest& request) {
-        return rendered(request, [](const Picture& picture) {
-            return HttpAnswer{200, "application/octet-stream",
-                              picture_bytes(picture_json(picture.result), picture)};
+    HttpAnswer exported(const HttpRequest& request) {
+        const AskedExport asked = asked_export(request.body);
+        return in_turn(asked.scene.asking, [&](std::atomic<bool>& stop) {
+            const auto job = jobs_.begin(asked.scene.asking.view);
+            return answer_of(exported_json(
+                export_asked(asked, folder_, stop, [&](double share) { job->share = share; })));
         });
     }
 
+    /// Sent while it is rendered. What it ends with, or is refused with before its first block, is
+    /// what else would be the whole answer.
+    HttpAnswer picture(const HttpRequest& request, HttpBody& body) {
+        std::unique_ptr<PictureParts> parts;
+        HttpAnswer last = guarded([&] {
+            return rendered(request, [&](const AskedPicture& asked, auto& stop, const auto& tell) {
+                parts = std::make_unique<PictureParts>(
+                    [&body, begun = false](std::string piece) mutable {
+                        if (!std::exchange(begun, true))
+                            body.begin(with_guard({200, "application/octet-stream"}));
+                        body.send(std::move(piece));
+                    },
+                    asked.machine != nullptr);
+                return answer_of(
+                    picture_json(render_asked(asked, settings_.threads, stop, tell, *parts)));
+            });
+        });
+        if (parts && parts->has_begun()) parts->end(last.body);
+        return last;
+    }
+
     HttpAnswer png(const HttpRequest& request) {
-        return rendered(request, [](const Picture& picture) {
-            return HttpAnswer{200, "image/png", png_bytes(picture)};
+        return rendered(request, [&](const AskedPicture& asked, auto& stop, const auto& tell) {
+            return HttpAnswer{200, "image/png",
+                              png_bytes(picture_asked(asked, settings_.threads, stop, tell))};
         });
     }
 

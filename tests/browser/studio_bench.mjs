@@ -19,18 +19,31 @@ try {
   await page.waitForFunction(() => studio.live?.size.columns === 1280 && studio.live.size.rows === 720);
   await settled(page);
 
-  const small = [], ratios = [];
+  const first = [], ratios = [], since = [], trace = {};
+  const note = (name, milliseconds) => { (trace[name] ??= []).push(milliseconds); };
+  /// Where the time of a whole picture went, by both clocks.
+  const explain = ({ took, times, seconds }, command) => {
+    note('until the answer begins', times.begun - times.asked);
+    note('until its last byte has come', times.ended - times.asked);
+    note('until it is drawn', took);
+    for (const [name, keys] of [['the program prepares', ['parse', 'compile', 'load']], ['renders', ['render']], ['makes bytes of pixels', ['encode']], ['all of it', ['total']]])
+      note(name, 1000 * keys.reduce((sum, key) => sum + seconds[key], 0));
+    note('pxm render renders', 1000 * command);
+  };
   for (let i = 0; i < turns; ++i) {
     await page.evaluate(() => { studio.timings.length = 0; });
     await page.focus('#handles');
     await page.keyboard.press(i % 8 < 4 ? 'ArrowRight' : 'ArrowUp');
     await settled(page);
     const { timings, command } = await page.evaluate(async () => ({ timings: studio.timings, command: (await import('/command.js')).commandOf(studio.finished()) }));
-    small.push(timings.find(t => t.phase === 'coarse').since);
-    const whole = timings.find(t => t.phase === 'whole').took;
+    first.push(timings[0].since);
+    const whole = timings.find(t => t.phase === 'whole');
     if (i % 4 !== 0) continue;
     execFileSync('/bin/sh', ['-c', `${command.replace(/^pxm/, '"$PXM"')} --stats stats.json --quiet`], { cwd: studio.folder, env: { ...process.env, PXM: program } });
-    ratios.push(whole / 1000 / JSON.parse(readFileSync(join(studio.folder, 'stats.json'), 'utf8')).seconds.render);
+    const { render } = JSON.parse(readFileSync(join(studio.folder, 'stats.json'), 'utf8')).seconds;
+    ratios.push(whole.took / 1000 / render);
+    since.push(whole.since / 1000 / render);
+    explain(whole, render);
   }
 
   const { times: overtaken, stops } = await page.evaluate(async () => {
@@ -59,8 +72,10 @@ try {
   await settled(page);
 
   console.log(`${cpus().length} processors, load ${loadavg()[0].toFixed(1)}`);
-  console.log(`small picture after a turn, median: ${median(small).toFixed(0)} ms`);
+  console.log(`first picture after a turn, median: ${median(first).toFixed(0)} ms`);
   console.log(`whole picture over the render phase of pxm render, median: ${median(ratios).toFixed(2)}`);
+  console.log(`the same from the turn on: ${median(since).toFixed(2)}`);
+  for (const [name, list] of Object.entries(trace)) console.log(`  ${name}: ${median(list).toFixed(1)} ms`);
   console.log(`a picture that is overtaken makes room, median: ${median(overtaken).toFixed(0)} ms`);
   console.log(`its work goes on after that, median of ${stops.length}: ${median(stops).toFixed(1)} ms, at most ${Math.max(...stops).toFixed(1)} ms`);
   console.log(`memory of the program before and after ${crowd} turns: ${before.toFixed(0)} and ${memory(studio.child.pid).toFixed(0)} MB`);

@@ -124,12 +124,13 @@ const tests = {
     const beside = readdirSync(dirname(studio.folder)).sort();
     const within = readdirSync(studio.folder).sort();
     const whole = { open: { name: 'tetra.pxm' }, save: { name: 'tetra.pxm', text: '# changed', seen: '' }, check: picture, inspect: picture, picture, png: picture, pick: { ...picture, x: 1, y: 1 }, pixel: { ...picture, x: 1, y: 1 },
-      progress: { view: 'test-picture' }, leave: { view: 'test-none' }, import: { view: 'test-import', name: 'a.ifs', data: '', entry: '' }, study: { view: 'test-study', name: 'tetra.pxm', text: 'x', kind: 'balance', columns: 8, rows: 8 } };
+      progress: { view: 'test-picture' }, leave: { view: 'test-none' }, import: { view: 'test-import', name: 'a.ifs', data: '', entry: '' }, study: { view: 'test-study', name: 'tetra.pxm', text: 'x', kind: 'balance', columns: 8, rows: 8 },
+      export: { ...picture, view: 'test-export', file: 'a.nothing', levels: 1 } };
     let asked = 0;
     for (const [path, question] of Object.entries(whole)) {
       for (const key of Object.keys(question)) {
         for (const name of names) {
-          const value = key === 'settings' ? [`render.heap=${name}`] : key === 'text' ? `include "${name}"\n` : name;
+          const value = key === 'settings' ? [`render.heap=${name}`] : key === 'text' ? `include "${name}"\n` : key === 'file' && name !== 'link.pxm' ? name.replace(/pxm$/, 'obj') : name;
           let answer = await ask(`/api/${path}`, { serial: ++serial, ...question, [key]: value });
           for (; answer.status === 429; answer = await ask(`/api/${path}`, { serial: ++serial, ...question, [key]: value })) await pause(50);
           assert.ok(!answer.body.includes(secret) && !answer.body.includes('root:'), `${path} ${key} ${name}`);

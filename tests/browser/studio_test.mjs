@@ -1,4 +1,4 @@
-// node studio_test.mjs PXM: what a person does with the studio works in a real browser.
+// node studio_test.mjs PXM [PART OF A NAME] [every-decade]: what a person does with the studio works in a real browser.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -7,6 +7,7 @@ import { openPage, pixelsOf, settled, startBrowser, startStudio } from './studio
 
 const program = resolve(process.argv[2]);
 const only = process.argv[3];
+const every_decade = process.argv[4] === 'every-decade';  // of a flight is compared: minutes
 const tetra = `# four copies, each half as large
 ifs tetra {
     newmap top   # the first
@@ -100,20 +101,22 @@ const tests = {
       const point = () => page.mouse.move(box.x + box.width * x, box.y + box.height * y);
       await point();
       const magnification = () => page.evaluate(() => studio.camera.reach / studio.camera.distance);
-      let last = await magnification(), decade = 1e6;
+      let last = await magnification(), decade = every_decade ? 10 : 1e6, compared = 0;
       const begin = last;
       for (let i = 0; i < 240 && last / begin < 1e30 / 2 && last < 9e29; ++i) {
         await page.mouse.wheel(0, -400);
         await page.waitForFunction(m => studio.camera.reach / studio.camera.distance > m, last, { polling: 20 });
         last = await magnification();
         if (last < decade) continue;
-        decade *= 1e8;
+        while (decade <= last) decade *= every_decade ? 10 : 1e8;
         await samePicture(page);
+        ++compared;
         await point();
         const middle = await page.evaluate(() => studio.live.last.pixels.data.reduce((s, v, i) => s + (i % 4 === 3 ? 0 : Math.abs(v - studio.live.last.pixels.data[i % 4])), 0));
         assert.ok(middle > 0, `at ${last} there is something to see`);
       }
       assert.ok(last >= 4e29, `${name} came to ${last}`);
+      if (every_decade) console.log(`  ${name}: ${compared} pictures on the way to ${last.toExponential(1)}`);
       await page.keyboard.press('Home');
       await page.click('#reset');
       await settled(page);

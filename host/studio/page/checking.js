@@ -92,6 +92,7 @@ export class Checking {
     const mistakes = error?.mistakes ?? [];
     this.studio.editor.mark(mistakes.filter(m => m.file === this.studio.name));
     place.hidden = !error && !warnings;
+    byId('nothing').hidden = !error || this.studio.goodText !== '';
     place.classList.toggle('warning', !error);
     place.replaceChildren(...(mistakes.length > 0
       ? mistakes.slice(0, shown_mistakes).map(m => element('button', { class: 'mistake', onclick: () => { this.studio.choose('text'); this.studio.editor.goTo(m.line, m.column); } },

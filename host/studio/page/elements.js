@@ -20,6 +20,12 @@ export const number = (x, digits = 4) => (Number.isFinite(x) ? String(Number(x.t
 export const grouped = x => Math.round(x).toLocaleString('en-US');
 
 /// As a power of ten where it is large.
+/// Puts a text there if it is another: whatever is put is laid out anew.
+export function say(id, text) {
+  const place = byId(id);
+  if (place.textContent !== text) place.textContent = text;
+}
+
 export function magnificationText(x) {
   if (x < 1e5) return number(x, x < 100 ? 3 : 4);
   const exponent = Math.floor(Math.log10(x));

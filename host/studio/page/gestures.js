@@ -4,11 +4,11 @@ import { dollied, orbited, panned } from './camera.js';
 
 const click = 4;           // CSS pixels that a click may move
 const turn = 0.006;        // radians a CSS pixel
-const key_turn = 0.08, key_move = 0.1, key_zoom = 1.25;
+const key_turn = 0.08, key_move = 0.1, key_zoom = 1.25, key_pixels = 6, key_far = 30;
 
 export class Gestures {
   /// `app`: camera, setCamera(camera, kind), zoomAt(x, y, factor), clicked(x, y), back(), reset(),
-  /// handles, edited(text), editEnds(), hovered(hit). Places are CSS pixels of the canvas.
+  /// chooseHandle(step), handles, edited(text), editEnds(), hovered(hit). Places are CSS pixels of the canvas.
   constructor(canvas, app) {
     this.canvas = canvas;
     this.app = app;
@@ -19,6 +19,7 @@ export class Gestures {
     canvas.addEventListener('wheel', e => this.wheel(e), { passive: false });
     canvas.addEventListener('contextmenu', e => e.preventDefault());
     canvas.addEventListener('keydown', e => this.key(e));
+    canvas.addEventListener('keyup', e => { if (app.handles.keyed && e.key.startsWith('Arrow')) app.editEnds(); });
   }
 
   place(event) {
@@ -83,11 +84,17 @@ export class Gestures {
     this.app.zoomAt(at.x, at.y, Math.exp(-Math.max(-400, Math.min(400, event.deltaY * lines)) * 0.002));
   }
 
+  nudge([x, y], pixels) {
+    const text = this.app.handles.nudged(x * pixels, -y * pixels);
+    if (text !== null) this.app.edited(text);
+  }
+
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || !this.app.camera) return;
     const { clientWidth: w, clientHeight: h } = this.canvas;
     const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-    if (arrows && event.shiftKey) this.app.setCamera(panned(this.app.camera, -arrows[0] * key_move, -arrows[1] * key_move), 'key');
+    if (arrows && this.app.handles.keyed) this.nudge(arrows, event.shiftKey ? key_far : key_pixels);
+    else if (arrows && event.shiftKey) this.app.setCamera(panned(this.app.camera, -arrows[0] * key_move, -arrows[1] * key_move), 'key');
     else if (arrows) this.app.setCamera(orbited(this.app.camera, arrows[0] * key_turn, -arrows[1] * key_turn), 'key');
     else if (event.key === '+' || event.key === '=') this.app.zoomAt(w / 2, h / 2, key_zoom);
     else if (event.key === '-') this.app.zoomAt(w / 2, h / 2, 1 / key_zoom);
@@ -95,6 +102,9 @@ export class Gestures {
     else if (event.key === 'PageDown') this.app.setCamera(dollied(this.app.camera, 1 / key_zoom), 'key');
     else if (event.key === 'Home') this.app.reset();
     else if (event.key === 'Backspace') this.app.back();
+    else if (event.key === 'Enter') this.app.clicked(w / 2, h / 2);
+    else if (event.key.toLowerCase() === 'h') this.app.chooseHandle(event.shiftKey ? -1 : 1);
+    else if (event.key === 'Escape' && this.app.handles.keyed) this.app.handles.letGo();
     else return;
     event.preventDefault();
   }

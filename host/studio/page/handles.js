@@ -27,12 +27,13 @@ function depthUnder([a, b, c], x, y) {
 export class Handles {
   /// `scene()` gives { text, block, map, lets, camera, reference, place } (`place`: the object's matrix),
   /// or null where there is nothing to shape.
-  constructor(canvas, scene, over = () => {}) {
+  constructor(canvas, scene, over) {
     this.canvas = canvas;
     this.scene = scene;
-    this.over = over;  // draws more, above the maps
+    this.over = over;  // draws more, above the maps: draw(context), isEmpty()
     this.drag = null;
     this.hovered = null;
+    this.keyed = null;  // that arrow keys move: { map, corner }
   }
 
   /// CSS pixels; (0, 0) is at the top left.
@@ -57,14 +58,18 @@ export class Handles {
   draw() {
     const ratio = Math.min(devicePixelRatio || 1, 2);
     const { clientWidth: w, clientHeight: h } = this.canvas;
+    const scene = this.scene();
+    // A canvas that is cleared is shown anew, which costs as much as a part of the picture under it.
+    const empty = !scene && this.over.isEmpty();
+    if (empty && this.empty) return;
+    this.empty = empty;
     if (this.canvas.width !== Math.round(w * ratio)) this.canvas.width = Math.round(w * ratio);
     if (this.canvas.height !== Math.round(h * ratio)) this.canvas.height = Math.round(h * ratio);
     const context = this.canvas.getContext('2d');
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, w, h);
-    const scene = this.scene();
     if (scene) this.drawMaps(context, scene);
-    this.over(context);
+    this.over.draw(context);
   }
 
   drawMaps(context, scene) {
@@ -93,11 +98,12 @@ export class Handles {
     context.lineWidth = selected ? 2 : 1; context.stroke();
     context.setLineDash([]);
     if (!selected) return;
-    const face = faces[(this.drag ?? this.hovered)?.corner - 5];
+    const face = faces[(this.drag ?? this.keyed ?? this.hovered)?.corner - 5];
     if (face) this.fillFace(context, face.map(i => corners[i]));
-    for (const c of [...corners, this.middle(corners)]) {
+    for (const [i, c] of [...corners, this.middle(corners)].entries()) {
+      const size = this.keyed?.corner === i ? 9 : 6;
       context.beginPath();
-      if (!corners.includes(c)) context.rect(c.x - 6, c.y - 6, 12, 12); else context.arc(c.x, c.y, 6, 0, 7);
+      if (i === 4) context.rect(c.x - size, c.y - size, 2 * size, 2 * size); else context.arc(c.x, c.y, size, 0, 7);
       context.fillStyle = '#ffc24d'; context.strokeStyle = 'rgba(0,0,0,0.8)'; context.lineWidth = 2;
       context.fill(); context.stroke();
     }
@@ -171,4 +177,30 @@ export class Handles {
   }
 
   end() { this.drag = null; }
+
+  // --- with keys --------------------------------------------------------------------------------
+
+  /// The next handle of the selected map, or the one before it: what it is, in words; null if there is
+  /// none.
+  choose(step) {
+    const scene = this.scene();
+    if (!scene || scene.map < 0) return null;
+    const count = 5 + faces.length, before = this.keyed?.map === scene.map ? this.keyed.corner : step > 0 ? 3 : 5;
+    this.keyed = { map: scene.map, corner: (before + step + count) % count };
+    this.draw();
+    const { corner } = this.keyed;
+    return corner < 4 ? `corner ${corner + 1}` : corner === 4 ? 'the whole' : `the face opposite corner ${corner - 4}`;
+  }
+  letGo() {
+    this.keyed = null;
+    this.draw();
+  }
+  /// The text with the chosen handle so many CSS pixels beside its place; null if none is chosen.
+  nudged(x, y) {
+    if (!this.keyed || this.scene()?.map !== this.keyed.map) return null;
+    this.begin(this.keyed, 0, 0);
+    const text = this.moved(x, y);
+    this.end();
+    return text;
+  }
 }

@@ -1,8 +1,11 @@
 // The live picture: small at once, then whole, then smooth. What has begun to be small is shown; what
-// is finer than that is given up as soon as anything changes.
+// is finer than that is given up as soon as anything changes. Where the whole picture comes as soon as a
+// small one should, there is no small one; where it takes long, its parts are shown as they come.
 import * as server from './server.js';
 
 const quick = 45, easy = 20;  // milliseconds that a small picture may take, and when it may be larger
+const at_once = 55, enough = 100;  // that the last whole picture took, for no small one to come first; and when that was wrong
+const pace = 100;             // between two looks at the parts of a picture that takes long
 const rest = 160;             // milliseconds without a change before samples are taken
 
 const machine_pixels = 76_800;  // of a picture by the simulated machine
@@ -21,6 +24,7 @@ export class Live {
     this.version = 0;
     this.shown = -1;
     this.divisor = 4;
+    this.wholeTook = Infinity;  // milliseconds, the last whole picture
     this.running = false;
     this.last = null;  // the picture that is shown whole
   }
@@ -44,7 +48,8 @@ export class Live {
   /// Nothing of another scene stays.
   clear() {
     this.last = null;
-    this.context.fillStyle = '#000';
+    this.wholeTook = Infinity;
+    this.context.fillStyle = getComputedStyle(this.canvas).getPropertyValue('--stage');
     this.context.fillRect(0, 0, this.canvas.width, this.canvas.height);
   }
 
@@ -92,19 +97,23 @@ export class Live {
     const { columns, rows } = this.wholeSize;
     const fresh = () => version === this.version && this.halted !== version;
     try {
-      if (!this.question().machine && !await this.coarse(columns, rows)) return;
+      const machine = Boolean(this.question().machine);
+      const quickly = !machine && this.wholeTook < at_once;
+      if (!machine && !quickly && !await this.coarse(columns, rows)) return;
       if (!fresh()) return;
-      const begin = performance.now();
-      let picture = await this.whole(version, { columns, rows, samples: 1 });
-      if (!picture || !fresh()) return;
-      this.show(picture, 'whole', performance.now() - begin);
+      const begin = performance.now(), changed = this.changed;
+      let picture = await this.whole({ columns, rows, samples: 1 }, fresh, quickly ? enough : 0);
+      if (!machine) this.wholeTook = picture ? performance.now() - begin : Math.max(this.wholeTook, performance.now() - begin);
+      if (!picture) return;
+      this.show(picture, fresh() ? 'whole' : 'coarse', begin, changed);
+      if (!fresh()) return;
       const samples = this.question().samples;
       if (samples !== 1 && !this.question().machine) {
         await this.sleep(rest - (performance.now() - this.changed));
         if (!fresh()) return;
-        picture = await this.whole(version, { columns, rows, samples });
+        picture = await this.whole({ columns, rows, samples }, fresh);
         if (!picture || !fresh()) return;
-        this.show(picture, 'smooth', performance.now() - begin);
+        this.show(picture, 'smooth', begin, changed);
       }
       this.shown = version;
       this.told({ kind: 'done' });
@@ -127,15 +136,22 @@ export class Live {
     return true;
   }
 
-  /// A whole picture; null as soon as there is a change. The next question, for a small picture, makes
-  /// the program stop working on this one.
-  async whole(version, more) {
-    const asked = server.picture({ ...this.question(), ...more });
+  /// A whole picture; null as soon as there is a change, but not before `patience` milliseconds. The
+  /// next question makes the program stop working on this one.
+  async whole(more, fresh, patience = 0) {
+    const begin = performance.now();
+    let looked = begin;
+    const asked = server.picture({ ...this.question(), ...more }, 'picture', parts => {
+      const now = performance.now();
+      if (now - looked < pace || !fresh()) return;
+      looked = now;
+      this.showParts(parts);
+    });
     asked.catch(() => {});  // what is wrong with a picture that nobody waits for
-    const woken = new Promise(done => { this.wake = () => done(null); });
+    const woken = new Promise(done => { this.wake = () => setTimeout(done, Math.max(0, begin + patience - performance.now()), null); });
     const picture = await Promise.race([asked, woken]);
     this.wake = null;
-    return version === this.version && this.halted !== version ? picture : null;
+    return this.halted === this.version ? null : picture;
   }
 
   async sleep(time) {
@@ -152,12 +168,21 @@ export class Live {
     this.context.drawImage(this.small, 0, 0, this.canvas.width, this.canvas.height);
   }
 
-  show(picture, phase, took) {
-    if (picture.pixels.width === this.canvas.width && picture.pixels.height === this.canvas.height)
-      this.context.putImageData(picture.pixels, 0, 0);
-    else this.stretch(picture.pixels, false);
-    this.last = picture;
-    this.told({ kind: 'picture', phase, picture, took, since: performance.now() - this.changed });
+  /// `begin`: when it was asked for; `changed`: when what it shows became another.
+  show(picture, phase, begin, changed) {
+    const { pixels } = picture;
+    if (pixels.width === this.canvas.width && pixels.height === this.canvas.height) this.context.putImageData(pixels, 0, 0);
+    else this.stretch(pixels, false);
+    const now = performance.now();
+    if (phase !== 'coarse') this.last = picture;
+    this.told({ kind: 'picture', phase, picture, took: now - begin, since: now - changed });
+  }
+
+  /// What has come of a picture, over a smaller one of the same.
+  showParts({ pixels, fresh }) {
+    const blocks = fresh.splice(0);
+    if (pixels?.width !== this.canvas.width || pixels.height !== this.canvas.height) return;
+    for (const block of blocks) this.context.putImageData(pixels, 0, 0, ...block);
   }
 }
 

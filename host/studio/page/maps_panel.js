@@ -107,8 +107,8 @@ export class MapsPanel {
     const key = `${index}.${s}`;
     const now = () => edits.stepsOf(this.mapAt(index));
     const move = to => { if (to >= 0 && to < now().length) this.edit(edits.moveStep(this.text(), this.mapAt(index), s, to)); };
-    const row = element('li', { class: `step ${step.word}`, draggable: false, 'data-step': s },
-      element('span', { class: 'grip', title: 'Drag to reorder', draggable: true }, '⠿'),
+    const row = element('li', { class: `step ${step.word}`, 'data-step': s },
+      element('span', { class: 'grip', title: 'Drag to reorder', draggable: 'true' }, '⠿'),
       element('b', {}, step.word),
       element('div', { class: 'values' }, ...step.args.map((_, a) => this.field(index, s, a, step)), this.splitter(index, step, s)),
       element('span', { class: 'ends' },
@@ -139,7 +139,7 @@ export class MapsPanel {
     const step_now = () => edits.stepsOf(this.mapAt(index))[s];
     const put = (value, kind) => this.edit(edits.setArgument(this.text(), step_now(), a, value), kind);
     const kind = `${index}.${s}.${a}`;
-    const input = element('input', { 'data-key': kind, 'data-arg': kind, size: 6, spellcheck: false, autocomplete: 'off',
+    const input = element('input', { 'data-key': kind, 'data-arg': kind, size: 6, spellcheck: 'false', autocomplete: 'off',
       'aria-label': `${step.word} ${spoken}`.trim(), class: step.word === 'rotate' && a === 0 ? 'axis' : '', oninput: e => { if (e.target.value.trim()) put(e.target.value, kind); },
       onkeydown: e => this.nudge(e, step, put, kind) });
     const label = element('label', { class: 'value' }, element('span', { class: 'scrub', title: 'Drag sideways' }, name || (step.word === 'rotate' ? '' : '↔')), input);

@@ -37,6 +37,8 @@ export class Place {
       }
     }
     if (wanted.tab) studio.choose(wanted.tab, false);
+    if (studio.tab === 'machine') studio.useMachine(studio.facts.models.find(m => m.name === wanted.machine)?.name ?? '');
+    if (wanted.frame) await studio.setFrame(Math.min(Number(wanted.frame) || 0, Number(byId('frame').max)));
     if (studio.base) {
       studio.camera = cameras.fromAddress(wanted.view ?? '', studio.base);
       studio.cameraChanged();
@@ -59,8 +61,7 @@ export class Place {
     byId('gallery').hidden = true;
     byId('studio').hidden = false;
     byId('scene-tools').hidden = false;
-    byId('frame').value = 0;
-    byId('frame-number').textContent = '0';
+    studio.showFrame();
     studio.live.clear();
     studio.flight.forget();
     studio.endDescent();
@@ -104,10 +105,11 @@ export class Place {
   note() {
     clearTimeout(this.noting);
     this.noting = setTimeout(() => {
-      const { name, shipped, tab, camera } = this.studio;
+      const { name, shipped, tab, camera, machine, frame } = this.studio;
       if (!name || !camera) return;
       const view = cameras.toAddress(camera);
-      const words = new URLSearchParams({ scene: name, ...(shipped ? { from: 'pxm' } : {}), ...(tab !== 'maps' ? { tab } : {}), ...(view ? { view } : {}) });
+      const words = new URLSearchParams({ scene: name, ...(shipped ? { from: 'pxm' } : {}), ...(tab !== 'maps' ? { tab } : {}), ...(machine ? { machine } : {}), ...(frame > 0 ? { frame } : {}),
+        ...(view ? { view } : {}) });
       history.replaceState(null, '', `#${words}`);
     }, settled);
   }

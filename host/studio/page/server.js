@@ -1,5 +1,6 @@
 // What the page asks of the program. Every question has a number: of those of one kind the newest
 // counts, and an older one is answered with null.
+import { PictureParts } from './picture_parts.js';
 
 /// Something that the program says is wrong; `mistakes` have their lines.
 export class Refusal extends Error {
@@ -13,17 +14,23 @@ export class Refusal extends Error {
 const page = [...crypto.getRandomValues(new Uint8Array(8))].map(b => b.toString(16).padStart(2, '0')).join('');
 let serial = 0;
 
+const gone = () => new Refusal({ kind: 'gone', message: 'The studio has ended. Start it again with pxm studio.', mistakes: [] });
+
 async function ask(path, question) {
   let response;
   try {
     response = await fetch(path, question === undefined ? {} : {
       method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(question) });
   } catch {
-    throw new Refusal({ kind: 'gone', message: 'The studio has ended. Start it again with pxm studio.', mistakes: [] });
+    throw gone();
   }
   if (!response.ok) throw new Refusal({ kind: 'refused', message: (await response.text()).trim(), mistakes: [] });
   if (response.headers.get('Content-Type') !== 'application/json') return response;
-  const answer = await response.json();
+  return judged(await response.json());
+}
+
+/// The answer, or null if it was overtaken.
+function judged(answer) {
   if (answer.error) throw new Refusal(answer.error);
   if (!answer.superseded) return answer;
   if (answer.stopping_ms > 0) stops.push(answer.stopping_ms);
@@ -47,24 +54,28 @@ export const pixel = (picture, x, y) => ask('/api/pixel', numbered('pixel', { ..
 
 export const importFile = (name, data, entry) => ask('/api/import', numbered('import', { name, data, ...(entry === undefined ? {} : { entry }) }));
 export const study = question => ask('/api/study', numbered('study', question));
+export const exportFile = question => ask('/api/export', numbered('export', question));
 /// How far the newest work of a kind is.
 export const progress = kind => ask('/api/progress', { view: `${page}-${kind}` });
 /// Gives up what the page has asked for: of one kind, or all of it.
 export const stop = kind => ask('/api/leave', { view: `${page}-${kind}` });
 export const stopAll = () => ask('/api/leave', { view: page });
 
-/// { head, pixels: ImageData, cycles: of the machine, Uint32Array }.
-export async function picture(question, kind = 'picture') {
+/// { head, pixels: ImageData, cycles: of the machine, Uint32Array, times }. `partly(parts)` hears
+/// whenever a piece of it has come.
+export async function picture(question, kind = 'picture', partly = () => {}) {
+  const times = { asked: performance.now() };
   const response = await ask('/api/picture', numbered(kind, question));
   if (!response) return null;
-  const bytes = await response.arrayBuffer();
-  const size = new DataView(bytes).getUint32(0, true);
-  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, size)));
-  const count = head.columns * head.rows;
-  const rgba = new Uint8ClampedArray(bytes, 4 + size, count * 4);
-  const rest = bytes.slice(4 + size + count * 4);
-  return { head, pixels: new ImageData(rgba, head.columns, head.rows),
-    cycles: rest.byteLength ? new Uint32Array(rest) : null };
+  times.begun = performance.now();
+  const parts = new PictureParts(), reader = response.body.getReader();
+  for (let piece; !(piece = await reader.read().catch(() => { throw gone(); })).done;) {
+    parts.add(piece.value);
+    partly(parts);
+  }
+  times.ended = performance.now();
+  const head = judged(parts.last());
+  return head && { head, pixels: parts.pixels, cycles: parts.cycles, times };
 }
 
 export async function png(question, kind = 'png') {

@@ -4,7 +4,8 @@ import * as cameras from './camera.js';
 import { Checking } from './checking.js';
 import { Descent } from './descent.js';
 import { Editor } from './editor.js';
-import { byId, element, magnificationText, number, shortWord, toast } from './elements.js';
+import { byId, element, magnificationText, number, say, shortWord, toast } from './elements.js';
+import { Exporting } from './exporting.js';
 import { Flight } from './flight.js';
 import { Gallery } from './gallery.js';
 import { Gestures } from './gestures.js';
@@ -52,8 +53,8 @@ class Studio {
     this.place = new Place(this);
     this.checking = new Checking(this);
     this.editor = new Editor(text => this.edit(text, 'typing'));
-    this.handles = new Handles(byId('handles'), () => this.shaping(), context => this.volumes.draw(context));
     this.volumes = new Volumes(() => this.seen());
+    this.handles = new Handles(byId('handles'), () => this.shaping(), this.volumes);
     this.flight = new Flight(this);
     this.gestures = new Gestures(byId('handles'), this);
     this.maps = new MapsPanel(byId('panel-maps'), () => this, (text, kind) => this.edit(text, kind), (ifs, map) => this.select(ifs, map));
@@ -62,6 +63,7 @@ class Studio {
     this.descent = new Descent(byId('descent-tree'), cell => this.pointAt(cell), () => this.endDescent());
     this.working = new Working(this);
     this.rendering = new Rendering(this);
+    this.exporting = new Exporting(this);
     this.gallery = new Gallery(this.facts, (name, shipped) => this.place.go(name, shipped));
     new ResizeObserver(() => this.resized()).observe(byId('stage'));
   }
@@ -126,7 +128,7 @@ class Studio {
     this.cameraChanged();
   }
   cameraChanged() {
-    byId('magnification').textContent = magnificationText(cameras.magnification(this.camera) / cameras.magnification(this.base));
+    say('magnification', magnificationText(cameras.magnification(this.camera) / cameras.magnification(this.base)));
     byId('back').disabled = this.trail.length === 0;
     this.live.change();
     this.handles.draw();
@@ -175,6 +177,13 @@ class Studio {
       toast(error.message, 'bad');
     }
     return undefined;
+  }
+
+  /// For keys: the handles of the selected map in turn.
+  chooseHandle(step) {
+    if (this.tab === 'maps' && this.map < 0 && this.outline.ifs[this.ifs]?.maps.length > 0) this.select(this.ifs, 0);
+    const what = this.handles.choose(step);
+    toast(what ? `Map ${this.map + 1}, ${what}: arrow keys move it, Escape lets go.` : 'Handles are those of the map that is open in Maps.');
   }
 
   hovered(hit) {
@@ -228,7 +237,7 @@ class Studio {
     this.ifs = ifs;
     this.map = map;
     this.maps.draw();
-    this.handles.draw();
+    this.handles.letGo();
   }
 
   pictured(event) {
@@ -248,14 +257,27 @@ class Studio {
       if (warnings.trim() && this.text === this.goodText) this.checking.showMistakes(null, warnings.trim());
       if (this.machine) this.machines.show(event.picture, this.machine);
     }
-    this.timings.push({ phase: event.phase, took: event.took, since: event.since, render: statistics.seconds.render });
+    this.timings.push({ phase: event.phase, took: event.took, since: event.since, render: statistics.seconds.render, seconds: statistics.seconds, times: event.picture.times });
     if (this.timings.length > 500) this.timings.shift();
   }
 
   useMachine(model) {
+    if (model === this.machine) return;
     this.machine = model;
     this.machines.show(null, model);
     this.live.change();
+    this.place.note();
+  }
+
+  setFrame(frame) {
+    this.frame = frame;
+    this.showFrame();
+    this.place.note();
+    return this.checking.check();
+  }
+  showFrame() {
+    byId('frame').value = this.frame;
+    byId('frame-number').textContent = String(this.frame);
   }
 
   resized() {
@@ -295,6 +317,7 @@ class Studio {
     press('back', () => this.back());
     press('reset', () => this.reset());
     press('render', () => this.rendering.open());
+    press('export', () => this.exporting.open());
     press('open', () => byId('file').click());
     byId('file').addEventListener('change', event => { const [file] = event.target.files; event.target.value = ''; if (file) bring(this, file); });
     const volumes = () => {
@@ -309,11 +332,7 @@ class Studio {
     press('theme', () => this.changeTheme());
     for (const tab of tabs) press(`tab-${tab}`, () => this.choose(tab));
     byId('samples').addEventListener('change', () => this.live.change());
-    byId('frame').addEventListener('input', event => {
-      this.frame = Number(event.target.value);
-      byId('frame-number').textContent = event.target.value;
-      this.checking.check();
-    });
+    byId('frame').addEventListener('input', event => this.setFrame(Number(event.target.value)));
     press('new', () => this.place.begin());
     addEventListener('dragover', event => { if (event.dataTransfer.types.includes('Files')) event.preventDefault(); });
     addEventListener('drop', event => takeDropped(this, event));

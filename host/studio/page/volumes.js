@@ -62,6 +62,8 @@ export class Volumes {
     this.chosen = null;     // of these, the one that is pointed at
   }
 
+  isEmpty() { return this.level < 0 && this.cells.length === 0; }
+
   draw(context) {
     const scene = this.scene();
     if (!scene) return;

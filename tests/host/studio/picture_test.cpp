@@ -43,44 +43,22 @@ TEST(Picture, is_the_file_that_render_writes) {
     picture.settings = {
         {"camera.eye", "0.3,0.4,-2.5"}, {"camera.look", "0,0.1,0"}, {"camera.zoom", "1.5"}};
     std::atomic<bool> stop = false;
-    const Picture made = render_asked(picture, 1, stop);
+    const Picture made = picture_asked(picture, 1, stop);
     test::expect_done(folder, {"render", "a.pxm", "--size", "90x150", "--samples", "4", "--set",
                                "camera.eye=0.3,0.4,-2.5", "--set", "camera.look=0,0.1,0", "--set",
                                "camera.zoom=1.5", "-o", "a.png", "--quiet", "--no-scene"});
     EXPECT_EQ(png_bytes(made), folder.read("a.png"));
 }
 
-TEST(Picture, has_its_head_its_pixels_and_what_they_cost) {
-    AskedPicture picture = asked(test::tetra_scene, 24, 16);
-    picture.machine = find_model("964dX");
-    std::atomic<bool> stop = false;
-    const Picture made = render_asked(picture, 1, stop);
-    const std::string bytes = picture_bytes("{head}", made);
-    ASSERT_EQ(bytes.size(), 4U + 6 + 24 * 16 * 8);
-    EXPECT_EQ(bytes.substr(0, 10), std::string("\6\0\0\0{head}", 10));
-    std::uint64_t cycles = 0;
-    for (std::size_t at = 10 + 24 * 16 * 4; at < bytes.size(); at += 4) {
-        EXPECT_EQ(bytes[10 + 3], '\xFF');
-        for (std::size_t byte = 0; byte < 4; ++byte)
-            cycles += static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[at + byte]))
-                      << (8 * byte);
-    }
-    std::uint64_t counted = 0;
-    const RenderResult whole = render(request_of(picture, 1), {});
-    for (const PixelRecord& pixel : whole.frame.pixels) counted += pixel.cycles;
-    EXPECT_EQ(cycles, counted);
-    EXPECT_GT(cycles, 0U);
-}
-
 TEST(Picture, that_was_stopped_before_it_began_is_none) {
     std::atomic<bool> stop = true;
-    EXPECT_TRUE(render_asked(asked(test::tetra_scene, 640, 480), 1, stop).result.stopped);
+    EXPECT_TRUE(picture_asked(asked(test::tetra_scene, 640, 480), 1, stop).result.stopped);
 }
 
 TEST(Picture, reads_nothing_outside_of_the_folder) {
     std::atomic<bool> stop = false;
-    EXPECT_THROW((void)render_asked(asked("include: \"/etc/passwd\"\n", 8, 8), 1, stop), Error);
-    EXPECT_THROW((void)render_asked(asked("include: \"../../a.pxm\"\n", 8, 8), 1, stop), Error);
+    EXPECT_THROW((void)picture_asked(asked("include: \"/etc/passwd\"\n", 8, 8), 1, stop), Error);
+    EXPECT_THROW((void)picture_asked(asked("include: \"../../a.pxm\"\n", 8, 8), 1, stop), Error);
 }
 
 Scene scene_of_text(const std::string& text) {
@@ -160,7 +138,8 @@ TEST(SceneView, is_the_camera_that_the_render_has) {
         moved.settings = {{"camera.eye", joined(view.eye)},
                           {"camera.look", joined(view.look)},
                           {"camera.zoom", std::to_string(view.zoom)}};
-        EXPECT_EQ(png_bytes(render_asked(as_is, 1, stop)), png_bytes(render_asked(moved, 1, stop)))
+        EXPECT_EQ(png_bytes(picture_asked(as_is, 1, stop)),
+                  png_bytes(picture_asked(moved, 1, stop)))
             << camera;
     }
 }

@@ -1,0 +1,327 @@
+// node studio_manners_test.mjs PXM [PART OF A NAME]: the studio with keys alone, with fingers, for eyes that
+// need contrast, in two tabs, in a page where nothing moves; and what leaves it for other programs.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync, readdirSync, symlinkSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { openPage, pixelsOf, settled, startBrowser, startStudio } from './studio.mjs';
+
+const program = resolve(process.argv[2]);
+const only = process.argv[3];
+const scenes = new URL('../../scenes/', import.meta.url);
+
+const { browser, context } = await startBrowser();
+const studio = await startStudio(program, folder => {
+  for (const name of ['tetra', 'menger', 'fir'])
+    writeFileSync(join(folder, `${name}.pxm`), readFileSync(new URL(`${name}.pxm`, scenes)));
+});
+
+async function scene(name, tab = 'maps', within = context) {
+  const opened = await openPage(within, studio.address, `#scene=${name}&tab=${tab}`);
+  await settled(opened.page);
+  return opened;
+}
+const textOf = page => page.inputValue('#text');
+const press = async (page, ...keys) => { for (const key of keys) await page.keyboard.press(key); };
+
+const tests = {
+  async every_text_and_every_edge_can_be_seen() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const states = {
+      maps: async () => { await page.click('#tab-maps'); if (!await page.isVisible('.card.open')) await page.click('.map-title >> nth=0'); },
+      text: () => page.click('#tab-text'),
+      facts: async () => { await page.click('#tab-facts'); await page.waitForSelector('#panel-facts dd'); },
+      machine: async () => { await page.click('#tab-machine'); },
+      'a mistake': async () => { await page.click('#tab-text'); await page.fill('#text', 'ifs {'); await page.waitForSelector('#mistakes .mistake'); },
+      'none again': async () => { await page.fill('#text', readFileSync(new URL('tetra.pxm', scenes), 'utf8')); await settled(page); },
+      help: () => page.evaluate(() => document.getElementById('help-dialog').showModal()),
+      save: () => page.evaluate(() => document.getElementById('save-dialog').showModal()),
+      render: () => page.evaluate(() => studio.rendering.open()),
+      export: () => page.evaluate(() => studio.exporting.open()),
+      entry: () => page.evaluate(() => document.getElementById('entry-dialog').showModal()),
+      gallery: async () => { await page.evaluate(() => { location.hash = ''; }); await page.waitForSelector('#gallery:not([hidden])'); },
+    };
+    let looked = 0;
+    for (const colorScheme of ['dark', 'light']) {
+      await page.emulateMedia({ colorScheme });
+      if (await page.isHidden('#studio')) { await page.evaluate(() => { location.hash = 'scene=tetra.pxm'; }); await settled(page); }
+      for (const [name, show] of Object.entries(states)) {
+        await show();
+        const { texts, faint } = await page.evaluate(contrasts);
+        assert.deepEqual(faint, [], `${name}, ${colorScheme}`);
+        assert.ok(texts > 1, `${name} has texts`);
+        looked += texts;
+        await page.evaluate(() => document.querySelector('dialog[open]')?.close());
+      }
+    }
+    console.log(`  ${looked} texts and edges, the faintest ${await page.evaluate(() => window.faintest.toFixed(2))}`);
+    return opened;
+  },
+
+  async keys_alone_open_a_scene_shape_it_and_ask_of_it() {
+    const opened = await openPage(context, studio.address);
+    const { page } = opened;
+    await page.waitForSelector('#own-cards button');
+    const focused = () => page.evaluate(() => document.activeElement?.title || document.activeElement?.id || document.activeElement?.textContent);
+    for (let i = 0; i < 30 && await focused() !== 'tetra.pxm'; ++i) await press(page, 'Tab');
+    await press(page, 'Enter');
+    await page.waitForFunction(() => window.studio?.name === 'tetra.pxm');
+    await settled(page);
+    const before = await textOf(page);
+    // Everything that can be pressed or filled is reached by Tab; of the panels' tabs one is, and arrows lead on.
+    const missed = await page.evaluate(() => {
+      const all = [...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')].filter(e => e.offsetParent && !e.disabled);
+      return all.filter(e => e.tabIndex < 0 && e.role !== 'tab').map(e => e.outerHTML);
+    });
+    assert.deepEqual(missed, []);
+    await page.focus('#handles');
+    await press(page, 'h');
+    assert.match(await page.textContent('#toast'), /Map 1, the whole: arrow keys move it/);
+    await press(page, 'ArrowRight', 'ArrowRight', 'Shift+ArrowUp');
+    const moved = await textOf(page);
+    assert.notEqual(moved, before);
+    assert.match(moved, /translate: 0\.\d+,0\.\d+,-?0?\.?\d+/);
+    await press(page, 'h');
+    assert.match(await page.textContent('#toast'), /the face opposite corner 1/);
+    await press(page, 'ArrowLeft');
+    assert.match(await textOf(page), /tetrahedron: \(/);
+    await press(page, 'Escape');
+    const shaped = await textOf(page), view = await page.evaluate(() => studio.camera.moved);
+    await press(page, 'ArrowLeft');
+    assert.equal(await textOf(page), shaped, 'once it is let go, arrows turn the view');
+    assert.ok(!view && await page.evaluate(() => studio.camera.moved));
+    for (let i = 0; i < 4; ++i) await press(page, 'Control+z');
+    assert.equal(await textOf(page), before, 'each key was a change of its own');
+    await settled(page);
+    await press(page, 'Home', 'Enter');
+    await page.waitForFunction(() => document.getElementById('word').textContent !== '');
+    await page.focus('#tab-maps');
+    await press(page, 'ArrowLeft');
+    assert.ok(await page.isVisible('#panel-machine'));
+    await page.focus('#handles');
+    await press(page, 'Enter');
+    await page.waitForSelector('#descent-tree:not([hidden]) .tree');
+    return opened;
+  },
+
+  async fingers_turn_and_zoom() {
+    const phone = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    const opened = await scene('menger.pxm', 'text', phone);
+    const { page } = opened;
+    const touch = await phone.newCDPSession(page);
+    const box = await page.locator('#handles').boundingBox();
+    const fingers = (type, ...places) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: places.map(([x, y], id) => ({ x: box.x + x, y: box.y + y, id })) });
+    const camera = () => page.evaluate(() => ({ away: studio.camera.away, distance: studio.camera.distance, reach: studio.camera.reach }));
+    const first = await camera();
+    await fingers('touchStart', [150, 150]);
+    for (let i = 1; i <= 6; ++i) await fingers('touchMove', [150 + 12 * i, 150]);
+    await fingers('touchEnd');
+    const turned = await camera();
+    assert.notDeepEqual(turned.away, first.away);
+    assert.equal(turned.distance, first.distance);
+    await fingers('touchStart', [150, 200], [240, 200]);
+    for (let i = 1; i <= 8; ++i) await fingers('touchMove', [150 - 8 * i, 200], [240 + 8 * i, 200]);
+    await fingers('touchEnd');
+    await page.waitForFunction(m => studio.camera.reach / studio.camera.distance > 1.5 * m, first.reach / first.distance);
+    await settled(page);
+    return opened;
+  },
+
+  async steps_are_dragged_and_typed() {
+    const opened = await scene('fir.pxm');
+    const { page } = opened;
+    await page.evaluate(() => studio.edit('ifs a {\n    newmap scale: 0.5 rotate: y,30 translate: 0.3,0,0\n    newmap scale: 0.4\n}\n'));
+    await settled(page);
+    await page.click('.map-title >> nth=0');
+    const [from, to] = [await page.locator('.card.open .step .grip >> nth=0').boundingBox(), await page.locator('.card.open .step b >> nth=2').boundingBox()];
+    await page.mouse.move(from.x + 4, from.y + 6);
+    await page.mouse.down();
+    await page.mouse.move(to.x + 4, to.y + 6, { steps: 8 });
+    await page.mouse.up();
+    assert.match(await textOf(page), /newmap rotate: y,30 translate: 0\.3,0,0 scale: 0\.5\n/);
+    await page.click('[aria-label="scale earlier"]');
+    assert.match(await textOf(page), /newmap rotate: y,30 scale: 0\.5 translate: 0\.3,0,0\n/);
+    await page.click('.adder >> text=matrix');
+    assert.equal((await page.$$('.card.open .matrix input')).length, 12);
+    await page.click('[aria-label="remove matrix"]');
+    await page.fill('.looks input[type="color"]', '#ff0000');
+    await page.fill('.looks input[placeholder="auto"]', '3');
+    assert.match(await textOf(page), /color: 1,0,0,0\.5/);
+    assert.match(await textOf(page), /weight: 3/);
+    const number = page.locator('[aria-label="translate x"]');
+    await number.focus();
+    await press(page, 'ArrowUp');
+    assert.match(await textOf(page), /translate: 0\.31,0,0/);
+    const scrub = await page.locator('label.value:has([aria-label="translate y"]) .scrub').boundingBox();
+    await page.mouse.move(scrub.x + 4, scrub.y + 6);
+    await page.mouse.down();
+    await page.mouse.move(scrub.x + 44, scrub.y + 6, { steps: 4 });
+    await page.mouse.up();
+    assert.match(await textOf(page), /translate: 0\.31,0\.2,0/);
+    const cut = await page.$$eval('.card.open .value input', all => all.filter(e => e.value.length <= 6 && e.scrollWidth > e.clientWidth).map(e => e.value));
+    assert.deepEqual(cut, [], 'short numbers can be read');
+    await settled(page);
+    return opened;
+  },
+
+  async a_map_that_does_not_shrink_is_red_and_the_picture_stays() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const before = await pixelsOf(page);
+    await page.click('.map-title >> nth=0');
+    await page.fill('[aria-label="scale x"]', '1.2');
+    assert.ok(await page.locator('[data-lip="0"].bad').isVisible());
+    await page.waitForSelector('#mistakes:not([hidden])');
+    assert.equal(await pixelsOf(page), before);
+    return opened;
+  },
+
+  async two_tabs_do_not_disturb_each_other() {
+    const [one, two] = [await scene('tetra.pxm', 'text'), await scene('menger.pxm', 'text')];
+    const [tetra, menger] = [await textOf(one.page), await textOf(two.page)];
+    const shown = await pixelsOf(two.page);
+    const name = await one.page.evaluate(() => { studio.edit(`${studio.text}# of the first\n`); return studio.name; });
+    await Promise.all([one.page, two.page].map(async page => {
+      await page.focus('#handles');
+      for (let i = 0; i < 10; ++i) await press(page, i < 5 ? 'ArrowLeft' : 'ArrowRight');
+    }));
+    await one.page.evaluate(async () => { const server = await import('/server.js'); await server.stopAll(); });
+    await settled(two.page);
+    await two.page.click('#reset');
+    await settled(two.page);
+    assert.equal(name, 'tetra.pxm');
+    assert.equal(await textOf(two.page), menger);
+    assert.equal(await pixelsOf(two.page), shown);
+    await two.page.reload();
+    await settled(two.page);
+    assert.equal(await textOf(two.page), menger);
+    assert.equal(await textOf(one.page), `${tetra}# of the first\n`);
+    assert.deepEqual(two.complaints, []);
+    await two.page.close();
+    await one.page.focus('#handles');
+    await press(one.page, 'ArrowLeft');
+    await settled(one.page);
+    return one;
+  },
+
+  async nothing_moves_for_who_wants_that() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const moving = () => page.evaluate(() => [...document.querySelectorAll('*')].filter(e => {
+      const style = getComputedStyle(e);
+      return style.animationName !== 'none' || style.transitionDuration.split(',').some(t => parseFloat(t) > 0);
+    }).length);
+    assert.ok(await moving() > 0);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    assert.equal(await moving(), 0);
+    return opened;
+  },
+
+  async scenes_are_exported_to_what_export_writes() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const note = pattern => page.waitForFunction(p => new RegExp(p).test(document.getElementById('export-note').textContent), pattern);
+    const exportAs = async (format, name, more = async () => {}) => {
+      await page.selectOption('#export-format', format);
+      await more();
+      if (name) await page.fill('#export-name', name);
+      await page.click('#export-start');
+    };
+    const ofCommand = (name, ...options) => {
+      execFileSync(program, ['export', 'tetra.pxm', '-o', `same_${name}`, ...options, '--quiet'], { cwd: studio.folder, stdio: 'pipe' });
+      return readFileSync(join(studio.folder, `same_${name}`));
+    };
+    const same = (name, ...options) => assert.deepEqual(readFileSync(join(studio.folder, name)), ofCommand(name, ...options), name);
+    await page.click('#export');
+    for (const format of await page.$$eval('#export-format option', o => o.map(e => e.value))) {
+      const cells = !['aifs', 'flame'].includes(format);
+      assert.equal(await page.selectOption('#export-format', format).then(() => page.isVisible('#export-cells')), cells);
+      if (format === 'gltf' || format === 'flame') continue;
+      await exportAs(format, '', async () => { if (cells) { await page.selectOption('#export-end', 'levels'); await page.fill('#export-levels', '3'); } });
+      await note(`^tetra\\.${format} is written`);
+      same(`tetra.${format}`, ...(cells ? ['--levels', '3'] : []));
+      assert.ok(!(await page.textContent('#export-note')).includes('/pxm-studio-'), 'it does not say where the folder lies');
+    }
+    // Its numbers stand beside a .gltf, and neither is replaced unasked.
+    writeFileSync(join(studio.folder, 'two.bin'), 'mine');
+    await exportAs('gltf', 'two.gltf');
+    await note('there already');
+    assert.equal(readFileSync(join(studio.folder, 'two.bin'), 'utf8'), 'mine');
+    await page.click('#export-start');
+    await note('^two\\.gltf is written');
+    assert.ok(readFileSync(join(studio.folder, 'two.bin')).length > 100);
+    // Cells by their size; a flame cannot hold what is not of the plane, and says so.
+    await exportAs('obj', 'small.obj', async () => { await page.selectOption('#export-end', 'detail'); await page.fill('#export-detail', '0.3'); });
+    await note('^small\\.obj is written');
+    same('small.obj', '--detail', '0.3');
+    await exportAs('flame', 'tetra.flame');
+    await page.waitForSelector('#export-note.refused');
+    assert.ok(!existsSync(join(studio.folder, 'tetra.flame')));
+    // Not out of the folder, not through a link, and not more than the studio exports.
+    symlinkSync('/tmp', join(studio.folder, 'linked'));
+    for (const [name, said] of [['../out.stl', 'below the studio'], ['linked/out.stl', 'is a link'], ['.hidden.stl', 'hidden']]) {
+      await exportAs('stl', name, async () => { await page.selectOption('#export-end', 'levels'); await page.fill('#export-levels', '2'); });
+      await note(said);
+    }
+    await exportAs('stl', 'many.stl', () => page.fill('#export-levels', '12'));
+    await note('more than 4000000 cells');
+    assert.ok(!existsSync(join(studio.folder, 'many.stl')));
+    // What is given up leaves nothing.
+    await exportAs('ply', 'slow.ply', () => page.fill('#export-levels', '10'));
+    await note('^\\d+ %$');
+    await page.click('#export-cancel');
+    await note('Given up');
+    await page.click('#export-cancel');
+    assert.ok(await page.isHidden('#export-dialog'));
+    assert.deepEqual(readdirSync(studio.folder).filter(file => /slow|many|out/.test(file)), []);
+    return opened;
+  },
+};
+
+/// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).
+function contrasts() {
+  const rgb = text => text.match(/[\d.]+/g).map(Number);
+  const light = ([r, g, b]) => [r, g, b].map(v => v / 255).map(v => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)).reduce((s, v, i) => s + v * [0.2126, 0.7152, 0.0722][i], 0);
+  const ground = element => { for (let e = element; e; e = e.parentElement) { const c = rgb(getComputedStyle(e).backgroundColor); if (c.length < 4 || c[3] > 0.5) return c; } return [255, 255, 255]; };
+  const ratio = (a, b) => { const [x, y] = [light(a), light(b)]; return (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05); };
+  const faint = [];
+  const look = (element, what, contrast, least) => {
+    window.faintest = Math.min(window.faintest ?? 99, contrast);
+    if (contrast < least) faint.push(`${what} of ${element.tagName}#${element.id}.${element.className} "${element.textContent.trim().slice(0, 20)}": ${contrast.toFixed(2)}`);
+  };
+  let texts = 0;
+  for (const element of (document.querySelector('dialog[open]') ?? document.body).querySelectorAll('*')) {
+    if (element.id === 'text' || !element.offsetParent || element.disabled || element.namespaceURI.endsWith('svg')) continue;
+    const style = getComputedStyle(element);
+    const field = /^(INPUT|SELECT|TEXTAREA)$/.test(element.tagName);
+    if (field && !['range', 'checkbox', 'color'].includes(element.type)) look(element, 'edge', ratio(rgb(style.borderTopColor), ground(element.parentElement)), 3);
+    if (!field && ![...element.childNodes].some(n => n.nodeType === 3 && n.textContent.trim())) continue;
+    ++texts;
+    look(element, 'text', ratio(rgb(style.color), ground(element)), 4.5);
+  }
+  return { texts, faint };
+}
+
+let passed = 0, failed = 0;
+try {
+  for (const [name, test] of Object.entries(tests)) {
+    if (only && !name.includes(only)) continue;
+    const begin = Date.now();
+    try {
+      const opened = await test();
+      assert.deepEqual(opened.complaints, [], `${name}: the browser has nothing to complain of`);
+      await opened.page.close();
+      console.log(`${name}: ${((Date.now() - begin) / 1000).toFixed(1)} s`);
+      ++passed;
+    } catch (error) {
+      console.log(`${name} FAILED: ${error.stack}`);
+      ++failed;
+    }
+  }
+} finally {
+  await browser.close();
+  await studio.stop();
+}
+console.log(`${passed} passed, ${failed} failed`);
+process.exitCode = failed > 0 ? 1 : 0;
