@@ -31,9 +31,10 @@ struct TouchingType {
 };
 
 struct ExactFindings {
-    std::string numbers;  // what the maps' numbers are, or why they are not had exactly
-    int degree = 0;       // of the number field; 0: exact numbers are not had
-    int dimensions = 3;   // of the affine subspace that the attractor lies in
+    std::string numbers;      // what the maps' numbers are, or why they are not had exactly
+    int degree = 0;           // of the number field; 0: exact numbers are not had
+    int interval_digits = 0;  // of balls that the numbers are known in; 0: not decided by these
+    int dimensions = 3;       // of the affine subspace that the attractor lies in
 
     Decided<bool> finite;              // are there finitely many types of neighbours?
     std::size_t types = 0;             // that touch, the identity included if cells coincide
@@ -48,6 +49,7 @@ struct ExactFindings {
     Decided<bool> connected;
     Decided<bool> totally_disconnected;
     Decided<double> hausdorff;
+    Decided<double> shadow;    // the largest Hausdorff dimension of a projection along axes
     Decided<double> boundary;  // its dimension
     Decided<bool> interior;    // within the subspace
     Decided<double> volume;    // and its length, area or volume
