@@ -102,9 +102,9 @@ Sizes magnitudes_of(const Rifs& rifs, const std::vector<Mean>& means) {
                 second += std::abs(inside.second[i][j]);
             }
         }
-        largest =
-            std::max({largest, stretch * first + moved,
-                      stretch * stretch * second + 2 * stretch * first * moved + moved * moved});
+        largest.first = std::max(largest.first, stretch * first + moved);
+        largest.second = std::max(largest.second, stretch * stretch * second +
+                                                      2 * stretch * first * moved + moved * moved);
     }
     return largest;
 }
