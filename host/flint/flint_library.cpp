@@ -32,6 +32,8 @@ exact::WrittenMaps written_part(const WrittenSystem& system) {
 /// The scene's numbers in balls, or all that are near the doubles that pictures are made of.
 ExactFindings found_by_intervals(const WrittenSystem& system, const std::string& why,
                                  bool as_written) {
+    constexpr std::size_t most_maps = 5'000;  // no pairs of more are told apart in moderate time
+    if (system.block.maps.size() > most_maps) return nothing_exact(why);
     try {
         if (as_written) {
             exact::BallMaps all = balls_as_written(system.scene, system.block);

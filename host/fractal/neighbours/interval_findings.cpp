@@ -195,11 +195,14 @@ class Findings {
     [[nodiscard]] bool spans() const {
         if (axes_.empty()) return false;
         std::vector<std::array<RealBall, 3>> points;
-        for (const BallEntries& map : balls_.maps)
+        for (const BallEntries& map : balls_.maps) {
+            if (points.size() == most_points) break;
             if (const auto point = fixed_point(map)) points.push_back(*point);
+        }
         for (std::size_t i = 0, known = points.size(); i < known && points.size() < most_points;
              ++i)
-            for (const BallEntries& map : balls_.maps) points.push_back(image(map, points[i]));
+            for (std::size_t m = 0; m < balls_.maps.size() && points.size() < most_points; ++m)
+                points.push_back(image(balls_.maps[m], points[i]));
         std::vector<std::size_t> chosen;
         return !points.empty() && spans_further(points, chosen);
     }
