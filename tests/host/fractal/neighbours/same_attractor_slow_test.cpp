@@ -133,7 +133,7 @@ class Comparison {
 };
 
 TEST(SameAttractor, no_two_ways_to_write_it_contradict_each_other) {
-    constexpr int systems = 150;
+    constexpr int systems = 60;
     constexpr host::NeighbourLimits limits{.types = 2'000, .steps = 2'000'000};
     Drawn draw(19'190);
     int decided = 0;
