@@ -4,9 +4,7 @@ namespace pxm::host {
 
 namespace {
 
-using exact::Algebraic;
 using exact::NotExact;
-using exact::Polynomial;
 
 constexpr int deepest_let = 100;
 
@@ -16,7 +14,8 @@ constexpr double largest_number = 1e100;
 
 }  // namespace
 
-ExactExpressions::ExactExpressions(const Scene& scene) {
+template <class Numbers>
+ExactExpressions<Numbers>::ExactExpressions(const Scene& scene) {
     for (std::size_t f = 0; f < scene.files.size(); ++f) {
         const std::string_view text = scene.files[f].text;
         Lexer lexer(text, static_cast<int>(f));
@@ -38,38 +37,40 @@ ExactExpressions::ExactExpressions(const Scene& scene) {
     }
 }
 
-Algebraic ExactExpressions::read(TokenReader& tokens) {
-    Algebraic value = product(tokens);
+template <class Numbers>
+auto ExactExpressions<Numbers>::read(TokenReader& tokens) -> Value {
+    Value value = product(tokens);
     while (tokens.peek().is('+') || tokens.peek().is('-')) {
         const bool plus = tokens.take().is('+');
-        const Algebraic other = product(tokens);
-        value = plus ? field_.add(value, other) : field_.subtract(value, other);
+        const Value other = product(tokens);
+        value = plus ? numbers_.add(value, other) : numbers_.subtract(value, other);
     }
     return value;
 }
 
-Algebraic ExactExpressions::product(TokenReader& tokens) {
+template <class Numbers>
+auto ExactExpressions<Numbers>::product(TokenReader& tokens) -> Value {
     const auto signed_operand = [&] {
         bool negative = false;
         while (tokens.peek().is('-') || tokens.peek().is('+'))
             if (tokens.take().is('-')) negative = !negative;
-        const Algebraic value = operand(tokens);
-        return negative ? field_.subtract(exact::whole(0), value) : value;
+        const Value value = operand(tokens);
+        return negative ? numbers_.subtract(numbers_.whole(0), value) : value;
     };
-    Algebraic value = signed_operand();
+    Value value = signed_operand();
     while (tokens.peek().is('*') || tokens.peek().is('/')) {
         const bool times = tokens.take().is('*');
-        const Algebraic other = signed_operand();
-        if (!times && other.value.is_zero()) throw NotExact{"a division by what is exactly 0"};
-        value = times ? field_.multiply(value, other) : field_.divide(value, other);
+        const Value other = signed_operand();
+        value = times ? numbers_.multiply(value, other) : numbers_.divide(value, other);
     }
     return value;
 }
 
-Algebraic ExactExpressions::operand(TokenReader& tokens) {
+template <class Numbers>
+auto ExactExpressions<Numbers>::operand(TokenReader& tokens) -> Value {
     const Token token = tokens.take();
     if (token.is('(')) {
-        const Algebraic value = read(tokens);
+        const Value value = read(tokens);
         tokens.expect(')');
         return value;
     }
@@ -82,32 +83,34 @@ Algebraic ExactExpressions::operand(TokenReader& tokens) {
         const std::string_view digits = token.text.substr(0, token.text.find_first_of("eE"));
         if (*value == 0 && digits.find_first_not_of("0.") != std::string_view::npos)
             throw NotExact{"a number of too many digits"};
-        if (*value == 0) return exact::whole(0);
-        return {0, Polynomial::decimal(std::string(token.text))};
+        if (*value == 0) return numbers_.whole(0);
+        return numbers_.decimal(std::string(token.text));
     }
     return named(tokens, token);
 }
 
-Algebraic ExactExpressions::named(TokenReader& tokens, const Token& word) {
-    if (word.text == "pi") throw NotExact{"pi is in no number field"};
+template <class Numbers>
+auto ExactExpressions<Numbers>::named(TokenReader& tokens, const Token& word) -> Value {
+    if (word.text == "pi") return numbers_.pi();
     if (word.text == "phi")
-        return field_.divide(field_.add(exact::whole(1), field_.square_root(exact::whole(5))),
-                             exact::whole(2));
+        return numbers_.divide(
+            numbers_.add(numbers_.whole(1), numbers_.square_root(numbers_.whole(5))),
+            numbers_.whole(2));
     const bool function =
         word.text == "sqrt" || word.text == "sin" || word.text == "cos" || word.text == "tan";
     if (!function) return constant(std::string(word.text));
     tokens.expect('(');
-    const Algebraic argument = read(tokens);
+    const Value argument = read(tokens);
     tokens.expect(')');
-    if (word.text == "sqrt") return field_.square_root(argument);
-    if (word.text == "sin") return field_.sine(argument);
-    if (word.text == "cos") return field_.cosine(argument);
-    const Algebraic cosine = field_.cosine(argument);
-    if (cosine.value.is_zero()) throw NotExact{"a tangent that is infinite"};
-    return field_.divide(field_.sine(argument), cosine);
+    if (word.text == "sqrt") return numbers_.square_root(argument);
+    if (word.text == "sin") return numbers_.sine(argument);
+    if (word.text == "cos") return numbers_.cosine(argument);
+    const Value cosine = numbers_.cosine(argument);
+    return numbers_.divide(numbers_.sine(argument), cosine);
 }
 
-Algebraic ExactExpressions::constant(const std::string& name) {
+template <class Numbers>
+auto ExactExpressions<Numbers>::constant(const std::string& name) -> Value {
     const auto known = known_.find(name);
     if (known != known_.end()) return known->second;
     const auto let = lets_.find(name);
@@ -115,10 +118,13 @@ Algebraic ExactExpressions::constant(const std::string& name) {
     if (++depth_ > deepest_let) throw NotExact{"'let's nested too deeply"};
     Diagnostics unused;
     TokenReader tokens(let->second.text, let->second.file, unused);
-    const Algebraic value = read(tokens);
+    const Value value = read(tokens);
     --depth_;
     known_.emplace(name, value);
     return value;
 }
+
+template class ExactExpressions<FieldNumbers>;
+template class ExactExpressions<BallNumbers>;
 
 }  // namespace pxm::host

@@ -12,18 +12,8 @@ namespace pxm::host {
 
 namespace {
 
-using exact::Algebraic;
 using exact::Entries;
 using exact::NotExact;
-using exact::whole;
-
-using Point = std::array<Algebraic, 3>;
-
-Entries unit() {
-    Entries entries;
-    for (std::size_t i = 0; i < 3; ++i) entries[i][i] = whole(1);
-    return entries;
-}
 
 Entries doubles_of(const Affine& map) {
     Entries entries;
@@ -36,25 +26,51 @@ Entries doubles_of(const Affine& map) {
     return entries;
 }
 
+/// Whether two texts are one number, up to its sign.
+bool same_magnitude(std::string_view a, std::string_view b) {
+    const auto bare = [](std::string_view text) {
+        text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
+        return text.starts_with('-') && text.find_first_of("+-", 1) == text.npos ? text.substr(1)
+                                                                                 : text;
+    };
+    return bare(a) == bare(b);
+}
+
 /// Reads what stands behind the words of a map's commands.
+template <class Numbers>
 class CommandReader {
   public:
-    CommandReader(const Scene& scene, ExactExpressions& expressions)
-        : scene_(scene), expressions_(expressions), field_(expressions.field()) {}
+    using Value = typename Numbers::Value;
+    using Entries = std::array<std::array<Value, 4>, 3>;
+    using Point = std::array<Value, 3>;
+
+    CommandReader(const Scene& scene, ExactExpressions<Numbers>& expressions)
+        : scene_(scene), expressions_(expressions), field_(expressions.numbers()) {}
 
     Entries map(const MapBlock& block) {
         Entries entries = unit();
+        ratio_ = whole(1);
         for (const Command& command : block.commands) entries = then(entries, read(command));
         return entries;
     }
+    /// The factor of the last map, up to its sign, if its commands make it a similitude by
+    /// themselves.
+    [[nodiscard]] const std::optional<Value>& ratio() const { return ratio_; }
 
   private:
+    [[nodiscard]] Value whole(long value) const { return field_.whole(value); }
+    [[nodiscard]] Entries unit() const {
+        Entries entries;
+        for (std::size_t i = 0; i < 3; ++i) entries[i][i] = whole(1);
+        return entries;
+    }
+
     /// First `first`, then `second`.
     Entries then(const Entries& first, const Entries& second) const {
         Entries result;
         for (std::size_t r = 0; r < 3; ++r)
             for (std::size_t c = 0; c < 4; ++c) {
-                Algebraic sum = c == 3 ? second[r][3] : whole(0);
+                Value sum = c == 3 ? second[r][3] : whole(0);
                 for (std::size_t k = 0; k < 3; ++k)
                     sum = field_.add(sum, field_.multiply(second[r][k], first[k][c]));
                 result[r][c] = sum;
@@ -92,9 +108,17 @@ class CommandReader {
 
     Entries scale(TokenReader& tokens) {
         Point factors;
+        const char* from = tokens.peek().text.data();
         factors.fill(expressions_.read(tokens));
-        for (std::size_t i = 1; i < 3 && tokens.accept(','); ++i)
+        const std::string_view first(from, tokens.peek().text.data());
+        bool same = true;
+        for (std::size_t i = 1; i < 3 && tokens.accept(','); ++i) {
+            from = tokens.peek().text.data();
             factors[i] = expressions_.read(tokens);
+            same = same && same_magnitude(first, {from, tokens.peek().text.data()});
+        }
+        if (!same) ratio_.reset();
+        if (ratio_) ratio_ = field_.multiply(*ratio_, factors[0]);
         Entries entries;
         for (std::size_t i = 0; i < 3; ++i) entries[i][i] = factors[i];
         return entries;
@@ -104,12 +128,12 @@ class CommandReader {
     Entries rotate(TokenReader& tokens) {
         const Token axis = tokens.take();
         tokens.expect(',');
-        const Algebraic degrees = expressions_.read(tokens);
+        const Value degrees = expressions_.read(tokens);
         const std::size_t first = axis.text == "x" ? 1 : axis.text == "y" ? 2 : 0;
         const std::size_t second = (first + 1) % 3;
         Entries entries = unit();
-        const Algebraic cosine = field_.cosine(degrees);
-        const Algebraic sine = field_.sine(degrees);
+        const Value cosine = field_.cosine(degrees);
+        const Value sine = field_.sine(degrees);
         entries[first][first] = entries[second][second] = cosine;
         entries[second][first] = sine;
         entries[first][second] = field_.subtract(whole(0), sine);
@@ -126,6 +150,7 @@ class CommandReader {
     }
 
     Entries matrix(TokenReader& tokens) {
+        ratio_.reset();
         Entries entries;
         for (std::size_t i = 0; i < 12; ++i) {
             if (i > 0) tokens.expect(',');
@@ -161,6 +186,7 @@ class CommandReader {
 
     /// As in host/scene/parse/compose.cpp: T is the sum over i of f_i (e_j x e_k) / det.
     Entries tetrahedron(TokenReader& tokens) {
+        ratio_.reset();
         std::array<Point, 4> from, to;
         for (Point& p : from) p = point(tokens);
         tokens.take();  // the arrow
@@ -171,15 +197,14 @@ class CommandReader {
             f[i] = difference(to[i + 1], to[0]);
         }
         const std::array<Point, 3> c{cross(e[1], e[2]), cross(e[2], e[0]), cross(e[0], e[1])};
-        Algebraic volume = whole(0);
+        Value volume = whole(0);
         for (std::size_t i = 0; i < 3; ++i)
             volume = field_.add(volume, field_.multiply(e[0][i], c[0][i]));
-        if (volume.value.is_zero()) throw NotExact{"a flat tetrahedron"};
         Entries entries;
         for (std::size_t r = 0; r < 3; ++r) {
-            Algebraic moved = to[0][r];
+            Value moved = to[0][r];
             for (std::size_t k = 0; k < 3; ++k) {
-                Algebraic sum = whole(0);
+                Value sum = whole(0);
                 for (std::size_t i = 0; i < 3; ++i)
                     sum = field_.add(sum, field_.multiply(c[i][k], f[i][r]));
                 entries[r][k] = field_.divide(sum, volume);
@@ -191,8 +216,9 @@ class CommandReader {
     }
 
     const Scene& scene_;
-    ExactExpressions& expressions_;
-    exact::NumberField& field_;
+    ExactExpressions<Numbers>& expressions_;
+    Numbers& field_;
+    std::optional<Value> ratio_;
 };
 
 /// All rotations by whole degrees share one field.
@@ -222,15 +248,31 @@ exact::WrittenMaps written_maps(const Scene& scene, const IfsBlock& block) {
             written.maps.push_back(doubles_of(compose(map.commands)));
         return written;
     }
-    ExactExpressions expressions(scene);
-    expect_turns(block, expressions.field());
+    ExactExpressions<FieldNumbers> expressions(scene);
+    expect_turns(block, expressions.numbers().field());
     CommandReader reader(scene, expressions);
     try {
         for (const MapBlock& map : block.maps) written.maps.push_back(reader.map(map));
     } catch (const SyntaxError&) {
         throw NotExact{"a number that was set from outside"};
     }
-    written.field = std::move(expressions.field());
+    written.field = std::move(expressions.numbers().field());
+    return written;
+}
+
+exact::BallMaps balls_as_written(const Scene& scene, const IfsBlock& block) {
+    if (scene.files.empty()) throw NotExact{"there is no text"};
+    ExactExpressions<BallNumbers> expressions(scene);
+    CommandReader reader(scene, expressions);
+    exact::BallMaps written;
+    try {
+        for (const MapBlock& map : block.maps) {
+            written.maps.push_back(reader.map(map));
+            written.ratio.push_back(reader.ratio());
+        }
+    } catch (const SyntaxError&) {
+        throw NotExact{"a number that was set from outside"};
+    }
     return written;
 }
 

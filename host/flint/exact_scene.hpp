@@ -3,6 +3,7 @@
 // made of, which this leaves as they are.
 #pragma once
 
+#include "host/fractal/exact/ball_system.hpp"
 #include "host/fractal/exact/exact_system.hpp"
 #include "host/scene/scene.hpp"
 
@@ -12,5 +13,9 @@ namespace pxm::host {
 /// Throws exact::NotExact where a number is in no number field of moderate size: pi, a blend, what
 /// changes with time.
 [[nodiscard]] exact::WrittenMaps written_maps(const Scene& scene, const IfsBlock& block);
+
+/// The same numbers in balls. Throws exact::NotExact where these do not tell them either: a blend,
+/// what changes with time, a root of 0 that is not 0 exactly.
+[[nodiscard]] exact::BallMaps balls_as_written(const Scene& scene, const IfsBlock& block);
 
 }  // namespace pxm::host

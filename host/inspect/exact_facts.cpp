@@ -24,12 +24,24 @@ std::vector<std::size_t> places(const Rifs& rifs, const Rifs& part) {
 }
 
 ExactFindings found_exactly(const WrittenSystem& system, const NeighbourLimits& limits) {
-    if (!limits.as_written) return nothing_exact("numbers were set from outside");
     try {
         return exact_library().find(system, limits);
     } catch (const Error& error) {
         return nothing_exact(error.what());
     }
+}
+
+/// Between the dimension of a projection and the affinity dimension there may be no room.
+void add_dimension_of_shadow(IfsFacts& facts) {
+    constexpr double rounding = 1e-9;  // of roots of exact equations
+    ExactFindings& exact = facts.exact;
+    const Affinity& affinity = facts.dimensions.affinity;
+    if (exact.hausdorff.value || !exact.shadow.value || !affinity.exact) return;
+    if (*exact.shadow.value < affinity.value - rounding) return;
+    exact.hausdorff = {exact.shadow.value,
+                       "no more than the affinity dimension, and no less than " + exact.shadow.why};
+    if (exact.interior.value == false)
+        exact.boundary = {exact.hausdorff.value, "without inside, it is its own boundary"};
 }
 
 }  // namespace
@@ -42,7 +54,12 @@ void add_exact_facts(const IfsBlock& block, const Scene* scene, const Rifs& part
     facts.exact = found_exactly(
         {scene != nullptr ? *scene : none, block, part, places(facts.rifs, part), bounds}, limits);
     const Decided<bool>& open_set = facts.exact.open_set;
-    if (!open_set.value) return;
+    if (!open_set.value) {
+        // Equal doubles may stand for numbers that are not.
+        if (facts.open_set.why.ends_with("are the same map"))
+            facts.open_set.why += " in the doubles that pictures are made of";
+        return;
+    }
     const OpenSetCondition decided =
         *open_set.value ? OpenSetCondition::holds : OpenSetCondition::fails;
     // What was found up to rounding gives way to what is exact.
@@ -59,8 +76,9 @@ void add_exact_topology(IfsFacts& facts) {
     if (!connected.value && facts.disconnected.totally_disconnected.value_or(false) &&
         facts.rifs.maps.size() > 1 && facts.exact.dimensions > 0)
         connected = {false, facts.disconnected.why};
-    const Decided<double>& hausdorff = facts.exact.hausdorff;
+    Decided<double>& hausdorff = facts.exact.hausdorff;
     Dimensions& dimensions = facts.dimensions;
+    add_dimension_of_shadow(facts);
     if (!hausdorff.value || dimensions.exact) return;
     dimensions.exact = hausdorff.value;
     dimensions.upper = std::min(dimensions.upper, *hausdorff.value);

@@ -1,5 +1,10 @@
 #include "host/inspect/exact_json.hpp"
 
+#include <cmath>
+#include <string>
+
+#include "host/inspect/dimension_order.hpp"
+
 namespace pxm::host {
 
 namespace {
@@ -35,28 +40,74 @@ Json neighbours_json(const IfsFacts& ifs) {
     for (const auto& pair : exact.touching_maps)
         json["touching_maps"].push_back(names_json(ifs, pair));
     json["numbers"] = exact.numbers;
+    json["decided_by"] = exact.degree > 0            ? Json("exact numbers")
+                         : exact.interval_digits > 0 ? Json("intervals")
+                                                     : Json(nullptr);
+    json["interval_digits"] =
+        exact.interval_digits > 0 ? Json(exact.interval_digits) : Json(nullptr);
     json["field_degree"] = exact.degree > 0 ? Json(exact.degree) : Json(nullptr);
     return json;
 }
+
+Json number_json(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 void add_measure_json(const IfsFacts& ifs, Json& json) {
     const auto& moments = ifs.moments;
     const std::string why =
-        moments ? "of the measure by the maps' weights, from its own equation, in double"
+        moments ? "of the measure by the maps' weights, from its own equation; the error is proven"
                 : "the measure's equation does not come to rest";
     json["centroid"] = moments ? point_json(moments->centroid) : Json(nullptr);
+    json["centroid_error"] = moments ? number_json(moments->centroid_error) : Json(nullptr);
     json["centroid_why"] = why;
     json["principal_axes"] = moments ? Json::array() : Json(nullptr);
     for (std::size_t i = 0; moments && i < moments->axes.size(); ++i)
         json["principal_axes"].push_back(
-            {{"direction", point_json(moments->axes[i])}, {"variance", moments->variances[i]}});
+            {{"direction", point_json(moments->axes[i])},
+             {"direction_error", moments->axis_errors[i]},
+             {"variance", moments->variances[i]},
+             {"variance_error", number_json(moments->variance_error)}});
     json["principal_axes_why"] = why;
     json["diameter"] = {
         {"value", ifs.diameter.value},
+        {"lower", ifs.diameter.lower},
         {"upper", ifs.diameter.upper},
         {"between", {point_json(ifs.diameter.between[0]), point_json(ifs.diameter.between[1])}}};
+}
+
+/// Whether exact numbers say the same of the subspace.
+bool is_exact(const IfsFacts& ifs) {
+    return ifs.exact.degree > 0 && ifs.rifs.follow_sets.size() == 1 &&
+           ifs.exact.dimensions == ifs.subspace.dimension;
+}
+
+Json subspace_json(const IfsFacts& ifs) {
+    Json directions = Json::array();
+    for (int i = 0; i < ifs.subspace.dimension; ++i)
+        directions.push_back(point_json(ifs.subspace.axes[static_cast<std::size_t>(i)]));
+    return {{"dimension", ifs.subspace.dimension},
+            {"exact", is_exact(ifs)},
+            {"point", point_json(ifs.subspace.point)},
+            {"directions", directions}};
+}
+
+Json order_json(const IfsFacts& ifs) {
+    const DimensionOrder order = dimension_order(ifs);
+    Json list = Json::array();
+    for (std::size_t i = 0; i < order.dimensions.size(); ++i) {
+        const OrderedDimension& one = order.dimensions[i];
+        Json json = {{"name", one.name},
+                     {"value", one.value ? number_json(*one.value) : Json(nullptr)},
+                     {"known", known_name(one.known)},
+                     {"why", one.why}};
+        if (i < order.links.size())
+            json["next"] = {{"relation", order.links[i].relation},
+                            {"known", known_name(order.links[i].known)},
+                            {"why", order.links[i].why}};
+        list.push_back(json);
+    }
+    return list;
 }
 
 }  // namespace
@@ -72,7 +123,8 @@ void add_exact_json(const IfsFacts& ifs, Json& json) {
     dimension["hausdorff_why"] = decided ? exact.hausdorff.why
                                  : known ? ifs.dimensions.meaning
                                          : exact.hausdorff.why;
-    dimension["hausdorff_exact"] = decided;
+    dimension["hausdorff_exact"] = decided && exact.degree > 0;
+    dimension["order"] = order_json(ifs);
     json["neighbours"] = neighbours_json(ifs);
     add(json, "exact_overlaps", exact.overlaps);
     json["overlapping_words"] = Json::array();
@@ -84,6 +136,7 @@ void add_exact_json(const IfsFacts& ifs, Json& json) {
     add(json, "interior", exact.interior);
     add(json, "volume", exact.volume);
     add_measure_json(ifs, json);
+    json["subspace"] = subspace_json(ifs);
 }
 
 }  // namespace pxm::host

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "host/inspect/dimension_order.hpp"
+
 namespace pxm::host {
 
 namespace {
@@ -39,10 +41,23 @@ std::string word(const IfsFacts& ifs, const std::vector<int>& maps) {
     return text;
 }
 
+void add_order(const IfsFacts& ifs, std::string& text) {
+    const DimensionOrder order = dimension_order(ifs);
+    std::string value;
+    for (std::size_t i = 0; i < order.dimensions.size(); ++i) {
+        const OrderedDimension& one = order.dimensions[i];
+        if (i > 0) value += fmt::format(" {} ", order.links[i - 1].relation);
+        value += one.value
+                     ? fmt::format("{} {:.6g} ({})", one.name, *one.value, known_name(one.known))
+                     : fmt::format("{} unknown", one.name);
+    }
+    line(text, "in order", value);
+}
+
 void add_exact(const IfsFacts& ifs, std::string& text) {
     const ExactFindings& exact = ifs.exact;
     line(text, "numbers", exact.degree > 0 ? exact.numbers : "not exact: " + exact.numbers);
-    if (exact.degree == 0) return;
+    if (exact.degree == 0 && exact.interval_digits == 0) return;
     line(text, "neighbours",
          exact.finite.value.value_or(false) ? "finite, " + exact.finite.why : exact.finite.why);
     line(text, "exact overlaps", answer(exact.overlaps));
@@ -79,6 +94,7 @@ void add_measure(const IfsFacts& ifs, std::string& text) {
 
 std::string exact_text(const IfsFacts& ifs) {
     std::string text;
+    add_order(ifs, text);
     add_exact(ifs, text);
     add_measure(ifs, text);
     return text;

@@ -122,7 +122,9 @@ std::optional<IfsFacts> inspect_ifs(const IfsBlock& block, Diagnostics& diagnost
     }
     facts.bounds = bound(facts.rifs, facts.contraction);
     const std::vector<Bounds> bounds = bounds_of_part(facts.rifs, facts.bounds, part);
-    const Rifs plain = as_similitudes(part, affine_hulls(part));
+    const std::vector<AffineHull> hulls = affine_hulls(part);
+    facts.subspace = hulls[static_cast<std::size_t>(part.start)];
+    const Rifs plain = as_similitudes(part, hulls);
     const bool as_given = plain.maps == part.maps;
     facts.open_set =
         decide_open_set(plain, bounds, as_given ? MapNumbers::given : MapNumbers::computed);

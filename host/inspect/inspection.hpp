@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host/fractal/bounds/affine_hull.hpp"
 #include "host/fractal/bounds/bounds.hpp"
 #include "host/fractal/dimension/dimension.hpp"
 #include "host/fractal/dimension/disconnected.hpp"
@@ -48,6 +49,7 @@ struct IfsFacts {
     std::vector<std::string> exact_names;  // of the maps that its numbers stand for
     std::optional<Moments> moments;        // of the measure by the maps' weights
     Diameter diameter;                     // of its attractor
+    AffineHull subspace;                   // the smallest that its attractor lies in
 };
 
 /// The bounding volume of an object, as declared and as used.

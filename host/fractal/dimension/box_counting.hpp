@@ -20,7 +20,7 @@ struct BoxScale {      // boxes of one size
 
 struct BoxCounting {                  // what was measured
     std::optional<double> dimension;  // nothing if there is no range of scales that tells it
-    double error = 0;                 // of 20 systems, 19 are within two of it
+    double error = 0;                 // of 20 systems, 19 are within it
     std::vector<BoxScale> scales;     // coarse to fine; the coarsest third is not used
     long points = 0;                  // places looked at
     std::string method;               // what was done, or what kept from measuring

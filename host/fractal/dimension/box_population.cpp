@@ -3,7 +3,11 @@
 namespace pxm::host {
 
 BoxPopulation::BoxPopulation(const ZoomSystem& system, std::size_t places, std::uint64_t seed)
-    : dice_(seed), places_(places, Zoom(system)), reference_(places, 1) {}
+
+    : independent_(system.layers.has_value()),
+      dice_(seed),
+      places_(places, Zoom(system)),
+      reference_(places, 1) {}
 
 double BoxPopulation::count(double side) {
     const auto places = static_cast<double>(places_.size());
@@ -19,7 +23,7 @@ double BoxPopulation::count(double side) {
         squares += ratio[i] * ratio[i];
     }
     const double boxes = count_then_ * sum / places;
-    const bool hangs_on_few = sum * sum < places / 2 * squares;
+    const bool hangs_on_few = !independent_ && sum * sum < places / 2 * squares;
     if (hangs_on_few) {
         count_then_ = boxes;
         draw_anew(value, ratio, sum);

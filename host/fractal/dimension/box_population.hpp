@@ -23,6 +23,7 @@ class BoxPopulation {
   private:
     void draw_anew(const std::vector<double>& value, const std::vector<double>& ratio, double sum);
 
+    bool independent_;  // places are drawn for each scale as it calls for
     Dice dice_;
     std::vector<Zoom> places_;
     std::vector<double> reference_;  // per place: its value when places were last drawn

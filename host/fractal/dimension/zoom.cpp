@@ -26,12 +26,18 @@ double size_of(const glm::dmat3& linear) {
                      glm::dot(linear[2], linear[2]));
 }
 
+/// Half the sides of the box around the image of a box.
+glm::dvec3 half_of_image(const glm::dmat3& linear, const glm::dvec3& half) {
+    return glm::abs(linear[0]) * half.x + glm::abs(linear[1]) * half.y +
+           glm::abs(linear[2]) * half.z;
+}
+
 double largest_part(const glm::dvec3& x) { return std::max({x.x, x.y, x.z}); }
 
 }  // namespace
 
 ZoomSystem::ZoomSystem(const Rifs& system, const std::vector<Bounds>& bounds)
-    : rifs(system), inner(inner_point_of_each(system)) {
+    : rifs(system), inner(inner_point_of_each(system)), hulls(affine_hulls(system)) {
     const std::vector<double> weights = natural_weights(rifs);
     for (const Affine& map : rifs.maps) {
         lip.push_back(lipschitz_constant(map));
@@ -41,14 +47,20 @@ ZoomSystem::ZoomSystem(const Rifs& system, const std::vector<Bounds>& bounds)
     for (std::size_t s = 0; s < bounds.size(); ++s) {
         diameter.push_back(2 * bounds[s].ball.radius);
         center.push_back(bounds[s].ball.center);
+        middle.push_back((bounds[s].box.low + bounds[s].box.high) / 2.0);
+        half.push_back((bounds[s].box.high - bounds[s].box.low) / 2.0);
         double sum = 0;
         for (const int m : rifs.follow_sets[s].maps) sum += weights[m];
         std::vector<double>& own = choice.emplace_back();
         for (const int m : rifs.follow_sets[s].maps) own.push_back(weights[m] / sum);
     }
+    if (!similitudes) layers = layers_of(rifs, bounds);
     double farthest = 0;
     for (std::size_t m = 0; m < rifs.maps.size(); ++m) {
         seen.push_back(rifs.maps[m].point(center[static_cast<std::size_t>(rifs.follow_of[m])]));
+        const auto set = static_cast<std::size_t>(rifs.follow_of[m]);
+        seen_middle.push_back(rifs.maps[m].point(middle[set]));
+        seen_half.push_back(half_of_image(rifs.maps[m].linear, half[set]));
         farthest = std::max(farthest, glm::length(seen.back()));
     }
     for (std::size_t s = 0; s < bounds.size(); ++s)
@@ -73,29 +85,100 @@ Zoom::Cell Zoom::child(const Cell& cell, int map, double probability) const {
     return next;
 }
 
-bool Zoom::choose_place(double largest, Dice& dice, long& visits) {
-    for (long left = most_visits; own_.diameter > largest; ++visits) {
-        if (--left < 0) return false;
-        const std::vector<int>& maps = system_->rifs.follow_sets[own_.set].maps;
-        const std::vector<double>& choice = system_->choice[own_.set];
-        double draw = dice.next();
-        std::size_t i = 0;
-        while (i + 1 < maps.size() && draw >= choice[i]) draw -= choice[i++];
-        own_ = child(own_, maps[i], choice[i]);
+bool Zoom::is_thick(const Cell& cell, double largest) const {
+    if (!system_->layers) return true;
+    const int axis = system_->layers->axes.back();
+    return 2 * std::abs(cell.map.linear[axis][axis]) * system_->half[0][axis] > largest;
+}
+
+const std::vector<double>& Zoom::choice(const Cell& cell, double largest) const {
+    const auto& layers = system_->layers;
+    if (!layers) return system_->choice[static_cast<std::size_t>(cell.set)];
+    std::size_t level = layers->axes.size() - 1;
+    for (; level > 0; --level) {
+        const int axis = layers->axes[level];
+        if (2 * std::abs(cell.map.linear[axis][axis]) * system_->half[0][axis] > largest) break;
     }
-    place_ = own_.map.point(system_->inner[own_.set]);
+    return layers->choice[level];
+}
+
+Zoom::Cell Zoom::drawn(const Cell& cell, double largest, Dice& dice) const {
+    const std::vector<int>& maps = system_->rifs.follow_sets[cell.set].maps;
+    const std::vector<double>& shares = choice(cell, largest);
+    double draw = dice.next();
+    std::size_t i = 0;
+    while (i + 1 < maps.size() && draw >= shares[i]) draw -= shares[i++];
+    return child(cell, maps[i], shares[i]);
+}
+
+bool Zoom::choose_place(double largest, Dice& dice, long& visits) {
+    long left = most_visits;
+    for (; own_.diameter > largest && is_thick(own_, largest); ++visits) {
+        if (--left < 0) return false;
+        own_ = drawn(own_, largest, dice);
+    }
+    for (last_ = own_; last_.diameter > largest; ++visits) {
+        if (--left < 0) return false;
+        last_ = drawn(last_, largest, dice);
+    }
+    place_ = last_.map.point(system_->inner[last_.set]);
     return true;
 }
 
-bool Zoom::is_away(const Cell& cell, int map, double reach) const {
+double Zoom::thickness(const Cell& cell) const {
+    const AffineHull& hull = system_->hulls[static_cast<std::size_t>(cell.set)];
+    const double diameter = system_->diameter[static_cast<std::size_t>(cell.set)];
+    const glm::dvec3 a = cell.map.linear * hull.axes[0];
+    const glm::dvec3 b = cell.map.linear * hull.axes[1];
+    if (hull.dimension < 2) return glm::length(a) * diameter;
+    // The least singular value is the volume over the product of the others.
+    const double squares = glm::dot(a, a) + glm::dot(b, b);
+    const glm::dvec3 area = glm::cross(a, b);
+    if (squares == 0) return 0;
+    if (hull.dimension == 2) return glm::length(area) / std::sqrt(squares) * diameter;
+    const glm::dvec3 c = cell.map.linear * hull.axes[2];
+    return 2 * std::abs(glm::dot(area, c)) / (squares + glm::dot(c, c)) * diameter;
+}
+
+bool Zoom::is_beside(const Cell& cell, const glm::dvec3& middle, const glm::dvec3& half,
+                     const Window& window) const {
+    const glm::dvec3 away = glm::abs(cell.map.point(middle) - window.middle);
+    const glm::dvec3 least = half_of_image(cell.map.linear, half) * (1 + 1e-9) + window.half;
+    for (int i = 0; i < 3; ++i)
+        if (away[i] > least[i] + system_->rounding) return true;
+    return false;
+}
+
+bool Zoom::is_away(const Cell& cell, const Window& window) const {
     const ZoomSystem& system = *system_;
-    const double most = cell.size * system.lip[map] * system.diameter[system.rifs.follow_of[map]];
-    const glm::dvec3 away = glm::abs(cell.map.point(system.seen[map]) - place_);
-    return largest_part(away) > (reach + most / 2) * (1 + 1e-9) + system.rounding;
+    const auto set = static_cast<std::size_t>(cell.set);
+    if (!system.similitudes) return is_beside(cell, system.middle[set], system.half[set], window);
+    const glm::dvec3 away = glm::abs(cell.map.point(system.center[set]) - window.middle);
+    return largest_part(away) > window.half.x + cell.diameter / 2;
+}
+
+bool Zoom::is_away(const Cell& cell, int map, const Window& window) const {
+    const ZoomSystem& system = *system_;
+    const auto m = static_cast<std::size_t>(map);
+    if (!system.similitudes)
+        return is_beside(cell, system.seen_middle[m], system.seen_half[m], window);
+    const double most = cell.size * system.lip[m] * system.diameter[system.rifs.follow_of[m]];
+    const glm::dvec3 away = glm::abs(cell.map.point(system.seen[m]) - window.middle);
+    return largest_part(away) > (window.half.x + most / 2) * (1 + 1e-9) + system.rounding;
+}
+
+bool Zoom::is_small(const Cell& cell, double largest) const {
+    if (cell.diameter <= largest) return true;
+    if (system_->similitudes) return false;
+    return system_->layers ? !is_thick(cell, largest) : thickness(cell) <= largest;
 }
 
 bool Zoom::gather(double side, double largest, long& visits) {
-    const double reach = side + largest;
+    Window window{place_, glm::dvec3{side + largest}};
+    if (system_->layers) {  // the next place is anywhere in the same cell
+        window.middle = own_.map.point(system_->middle[0]);
+        window.half += half_of_image(own_.map.linear, system_->half[0]);
+    }
     std::vector<Cell> open = std::move(around_);
     around_.clear();
     long left = most_visits;
@@ -104,9 +187,8 @@ bool Zoom::gather(double side, double largest, long& visits) {
         open.pop_back();
         ++visits;
         if (--left < 0) return false;
-        const glm::dvec3 away = glm::abs(cell.map.point(system_->center[cell.set]) - place_);
-        if (largest_part(away) > reach + cell.diameter / 2) continue;
-        if (cell.diameter <= largest) {
+        if (is_away(cell, window)) continue;
+        if (is_small(cell, largest)) {
             if (around_.size() >= most_around) return false;
             around_.push_back(cell);
             continue;
@@ -115,12 +197,13 @@ bool Zoom::gather(double side, double largest, long& visits) {
         left -= static_cast<long>(maps.size());  // a cell of many maps must not fill the memory
         visits += static_cast<long>(maps.size());
         if (left < 0) return false;
+        const std::vector<double>& shares = choice(cell, largest);
         for (std::size_t i = 0; i < maps.size(); ++i) {
-            if (is_away(cell, maps[i], reach)) {  // as it would be when its turn came
+            if (is_away(cell, maps[i], window)) {  // as it would be when its turn came
                 ++visits;
                 if (--left < 0) return false;
             } else {
-                open.push_back(child(cell, maps[i], system_->choice[cell.set][i]));
+                open.push_back(child(cell, maps[i], shares[i]));
             }
         }
     }
@@ -132,7 +215,7 @@ double Zoom::one_over_measure(double side, Dice& dice) const {
     for (glm::dvec3& corner : corners)
         corner = place_ - side * glm::dvec3{dice.next(), dice.next(), dice.next()};
     std::array<double, grids> measures{};
-    for (const Cell& cell : around_) {
+    for (const Cell& cell : system_->similitudes ? around_ : short_) {
         const glm::dvec3 point = cell.map.point(system_->inner[cell.set]);
         for (std::size_t n = 0; n < grids; ++n) {
             const glm::dvec3 in = point - corners[n];
@@ -141,13 +224,14 @@ double Zoom::one_over_measure(double side, Dice& dice) const {
         }
     }
     double sum = 0;
-    for (const double measure : measures) sum += 1 / std::max(measure, own_.measure);
+    for (const double measure : measures) sum += 1 / std::max(measure, last_.measure);
     return sum / grids;
 }
 
 double Zoom::to(double side, Dice& dice, long& visits) {
     const double largest = side * system_->finest;
-    const bool possible = choose_place(largest, dice, visits) && gather(side, largest, visits);
+    const bool possible = choose_place(largest, dice, visits) && gather(side, largest, visits) &&
+                          (system_->similitudes || divide_thin(side, largest, visits));
     return possible ? one_over_measure(side, dice) : 0;
 }
 

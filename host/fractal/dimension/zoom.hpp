@@ -4,10 +4,13 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <random>
 #include <vector>
 
+#include "host/fractal/bounds/affine_hull.hpp"
 #include "host/fractal/bounds/bounds.hpp"
+#include "host/fractal/dimension/layers.hpp"
 #include "host/fractal/system/rifs.hpp"
 
 namespace pxm::host {
@@ -25,7 +28,13 @@ struct ZoomSystem {
     std::vector<glm::dvec3> seen;    // per map: its image of the centre of what may stand inside
     double rounding = 0;             // that such points may be off by, wherever a cell puts them
     bool similitudes = true;         // the constants of words are the products of the maps'
-    double finest = 0;               // the diameter of cells that are points, of a box's side
+    std::vector<glm::dvec3> middle;  // per follow set: of a box around E_s
+    std::vector<glm::dvec3> half;    // and half its sides
+    std::vector<glm::dvec3> seen_middle;  // per map: the same of its image
+    std::vector<glm::dvec3> seen_half;
+    std::vector<AffineHull> hulls;  // per follow set
+    std::optional<Layers> layers;   // of systems that have them: in place of `choice`
+    double finest = 0;              // the diameter of cells that are points, of a box's side
     std::vector<std::vector<double>> choice;  // per follow set: the maps' probabilities
 };
 
@@ -59,17 +68,40 @@ class Zoom {
         double measure = 1;
     };
 
+    /// The probabilities of the maps inside a cell where cells of `largest` are points.
+    [[nodiscard]] const std::vector<double>& choice(const Cell& cell, double largest) const;
+    /// Whether the probabilities are the same at all finer scales, or depend on the scale.
+    [[nodiscard]] bool is_thick(const Cell& cell, double largest) const;
+    [[nodiscard]] Cell drawn(const Cell& cell, double largest, Dice& dice) const;
     [[nodiscard]] Cell child(const Cell& cell, int map, double probability) const;
-    /// Whether a child is clearly too far away to be made. `reach` as in gather().
-    [[nodiscard]] bool is_away(const Cell& cell, int map, double reach) const;
+    /// Below or about how wide a cell is where it is thinnest.
+    [[nodiscard]] double thickness(const Cell& cell) const;
+    /// Where points of the attractor count.
+    struct Window {
+        glm::dvec3 middle;
+        glm::dvec3 half;  // its sides: all the same for similitudes
+    };
+    [[nodiscard]] bool is_beside(const Cell& cell, const glm::dvec3& middle, const glm::dvec3& half,
+                                 const Window& window) const;
+    /// Whether a cell is proven to be outside of the window.
+    [[nodiscard]] bool is_away(const Cell& cell, const Window& window) const;
+    /// A cell that is kept for the next scale and not divided now.
+    [[nodiscard]] bool is_small(const Cell& cell, double largest) const;
+    /// The cells around the place, with those that are thin and long divided until they are short.
+    /// Cells that look the same in boxes of `side` are one, for now.
+    [[nodiscard]] bool divide_thin(double side, double largest, long& visits);
+    /// Whether a child is clearly outside, so that it need not be made.
+    [[nodiscard]] bool is_away(const Cell& cell, int map, const Window& window) const;
     [[nodiscard]] bool choose_place(double largest, Dice& dice, long& visits);
     [[nodiscard]] bool gather(double side, double largest, long& visits);
     [[nodiscard]] double one_over_measure(double side, Dice& dice) const;
 
     const ZoomSystem* system_;
-    Cell own_;  // the cell that the place is the point of
+    Cell own_;   // the cell that the place is drawn in; of layers, as long as it is thick
+    Cell last_;  // the cell that the place is the point of
     glm::dvec3 place_{0.0};
     std::vector<Cell> around_;  // cells that may have points in a box with the place
+    std::vector<Cell> short_;   // of affine systems: what these are made of, all of them short
 };
 
 }  // namespace pxm::host

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <limits>
 
-#include "host/math/lipschitz.hpp"
+#include "host/fractal/system/sensitivity.hpp"
 
 namespace pxm::host::exact {
 
@@ -253,36 +251,6 @@ double rounding_of(const NumberField& numbers, const Written& map, const Affine&
     return far;
 }
 
-/// Lengths of words, and the largest Lipschitz constants of words that long: how much a small
-/// change of the maps moves the attractor at most, over the change.
-double sensitivity_of(const Rifs& rifs) {
-    constexpr double contracts = 0.99;
-    constexpr std::size_t most_words = 50'000;
-    struct Word {
-        glm::dmat3 linear;
-        int set;
-    };
-    std::vector<Word> words;
-    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s)
-        words.push_back({glm::dmat3{1.0}, static_cast<int>(s)});
-    double total = 0, largest = 1;
-    while (true) {
-        std::vector<Word> longer;
-        total += largest;
-        for (const Word& word : words) {
-            for (const int m : rifs.follow_sets[static_cast<std::size_t>(word.set)].maps)
-                longer.push_back({word.linear * rifs.maps[static_cast<std::size_t>(m)].linear,
-                                  rifs.follow_of[static_cast<std::size_t>(m)]});
-            if (longer.size() > most_words) return std::numeric_limits<double>::infinity();
-        }
-        largest = 0;
-        for (const Word& word : longer)
-            largest = std::max(largest, singular_values(word.linear).values[0]);
-        if (largest <= contracts) return total / (1 - largest);
-        words = std::move(longer);
-    }
-}
-
 std::vector<Written> lifted(const WrittenMaps& from) {
     std::vector<Written> maps;
     for (const Entries& entries : from.maps) {
@@ -321,7 +289,7 @@ ExactSystem exact_system(WrittenMaps written, const Rifs& rifs) {
         if (!(far <= same * size)) throw NotExact{"the rounded maps do not agree with the text"};
         change = std::max(change, far);
     }
-    system.offset = change * sensitivity_of(rifs);
+    system.offset = change * sensitivity(rifs).lipschitz;
     const Subspace space = subspace_of(with, maps);
     const std::size_t n = space.basis.rows.size();
     system.field = facts_of(system.numbers, n, all_rational(maps));

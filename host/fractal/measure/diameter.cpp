@@ -5,6 +5,7 @@
 #include <iterator>
 #include <queue>
 
+#include "host/fractal/system/sensitivity.hpp"
 #include "host/math/lipschitz.hpp"
 
 namespace pxm::host {
@@ -115,7 +116,15 @@ class Search {
 
 Diameter diameter(const Rifs& rifs, const std::vector<Bounds>& bounds,
                   const std::vector<std::vector<glm::dvec3>>& inner) {
-    return Search(rifs, bounds, inner).run();
+    constexpr double of_a_map = 1e-15;  // what rounding moves an image by, of places
+    Diameter found = Search(rifs, bounds, inner).run();
+    double farthest = 0;
+    for (const Bounds& b : bounds)
+        farthest = std::max(farthest, glm::length(b.ball.center) + b.ball.radius);
+    // A point that maps' rounded images lead to is that near to one that their own lead to.
+    const double off = sensitivity(rifs).lipschitz * of_a_map * farthest;
+    found.lower = std::max(0.0, found.value - 2 * off - rounding * found.value);
+    return found;
 }
 
 }  // namespace pxm::host

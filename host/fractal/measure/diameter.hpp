@@ -15,6 +15,7 @@ namespace pxm::host {
 struct Diameter {                         // what is known of it
     double value = 0;                     // of the two points
     double upper = 0;                     // no two points are further apart
+    double lower = 0;                     // some two are, whatever rounding did to the two named
     std::array<glm::dvec3, 2> between{};  // the two points
 };
 

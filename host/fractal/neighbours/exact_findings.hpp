@@ -30,10 +30,11 @@ struct TouchingType {
     std::vector<std::array<int, 3>> edges;
 };
 
-struct ExactFindings {    // what is decided of a system
-    std::string numbers;  // what the maps' numbers are, or why they are not had exactly
-    int degree = 0;       // of the number field; 0: exact numbers are not had
-    int dimensions = 3;   // of the affine subspace that the attractor lies in
+struct ExactFindings {        // what is decided of a system
+    std::string numbers;      // what the maps' numbers are, or why they are not had exactly
+    int degree = 0;           // of the number field; 0: exact numbers are not had
+    int interval_digits = 0;  // of balls that the numbers are known in; 0: not decided by these
+    int dimensions = 3;       // of the affine subspace that the attractor lies in
 
     Decided<bool> finite;              // are there finitely many types of neighbours?
     std::size_t types = 0;             // that touch, the identity included if cells coincide
@@ -48,9 +49,10 @@ struct ExactFindings {    // what is decided of a system
     Decided<bool> connected;                            // is the attractor one piece?
     Decided<bool> totally_disconnected;                 // is every piece of it a point?
     Decided<double> hausdorff;                          // its Hausdorff dimension
-    Decided<double> boundary;                           // its dimension
-    Decided<bool> interior;                             // within the subspace
-    Decided<double> volume;                             // and its length, area or volume
+    Decided<double> shadow;    // the largest Hausdorff dimension of a projection along axes
+    Decided<double> boundary;  // its dimension
+    Decided<bool> interior;    // within the subspace
+    Decided<double> volume;    // and its length, area or volume
 };
 
 /// `written` are the maps of `rifs` as the scene's text has them; `bounds` as from bound().

@@ -50,16 +50,71 @@ TEST(ExactFacts, a_decimal_is_not_what_it_is_near_to) {
     EXPECT_EQ(found["dimension"]["hausdorff_exact"], false);
 }
 
-TEST(ExactFacts, numbers_of_no_field_leave_everything_open) {
-    for (const char* scale : {"1/pi", "sqrt(2)/3*cos(1)", "key(0.5: 0 -> 0.3, 1 -> 0.2)"}) {
+TEST(ExactFacts, numbers_of_no_field_are_known_in_intervals) {
+    struct Case {
+        const char* scale;
+        int digits;
+    };
+    for (const auto& [scale, digits] :
+         {Case{"1/pi", 60}, {"sqrt(2)/3*cos(1)", 60}, {"key(0.5: 0 -> 0.3, 1 -> 0.2)", 12}}) {
         const json found = system_json(std::string("ifs a { newmap scale: ") + scale +
                                        " newmap scale: 1/4 translate: 1,0,0 }");
-        EXPECT_TRUE(found["neighbours"]["finite"].is_null()) << scale;
         EXPECT_TRUE(found["neighbours"]["field_degree"].is_null()) << scale;
-        EXPECT_TRUE(found["exact_overlaps"].is_null()) << scale;
-        EXPECT_THAT(found["exact_overlaps_why"].get<std::string>(), HasSubstr("no exact numbers"));
+        EXPECT_EQ(found["neighbours"]["decided_by"], "intervals") << scale;
+        EXPECT_EQ(found["neighbours"]["interval_digits"], digits) << scale;
+        EXPECT_EQ(found["exact_overlaps"], false) << scale;
+        EXPECT_THAT(found["exact_overlaps_why"].get<std::string>(),
+                    HasSubstr("in intervals of " + std::to_string(digits) + " digits"));
         EXPECT_EQ(found["dimension"]["hausdorff_exact"], false) << scale;
+        EXPECT_EQ(found["dimension"]["order"][0]["known"], digits == 60 ? "proven" : "numerical")
+            << scale;
     }
+}
+
+// Common points and equal words are there, and intervals do not tell.
+TEST(ExactFacts, intervals_leave_open_what_touches) {
+    const json found = system_json(
+        "ifs a { newmap scale: 1/2 newmap scale: 1/2 translate: 1/2*(pi/pi),0,0\n"
+        "newmap scale: 1/2 translate: 0,1/2,0 }");
+    for (const char* key : {"exact_overlaps", "connected"}) {
+        EXPECT_TRUE(found[key].is_null()) << key;
+        EXPECT_THAT(found[std::string(key) + "_why"].get<std::string>(),
+                    HasSubstr("not told apart, in intervals of 60 digits"));
+    }
+    EXPECT_TRUE(found["neighbours"]["finite"].is_null());
+    EXPECT_EQ(found["interior"], false);
+}
+
+// Of the paraboloid z = x^2 + y^2 over the unit square, by four affine maps: all that is known.
+TEST(ExactFacts, a_paraboloid_is_a_surface_of_its_affinity_dimension_at_most) {
+    std::string text = "ifs a {\n";
+    for (const int a : {0, 1})
+        for (const int b : {0, 1}) {
+            const std::string x = std::to_string(a), y = std::to_string(b);
+            text += "newmap matrix: 1/2,0," + x + "/2, 0,1/2," + y + "/2, 0,0,1/4, " + x + "/2," +
+                    y + "/2," + std::to_string(a + b) + "/4\n";
+        }
+    const json found = system_json(text + "}");
+    EXPECT_EQ(found["connected"], true);
+    EXPECT_EQ(found["exact_overlaps"], false);
+    EXPECT_EQ(found["interior"], false);
+    EXPECT_EQ(found["volume"], 0);
+    EXPECT_EQ(found["subspace"]["dimension"], 3);
+    EXPECT_EQ(found["subspace"]["exact"], true);
+    // From (0, 0, 0) to (1, 1, 2).
+    EXPECT_LE(found["diameter"]["lower"].get<double>(), std::sqrt(6));
+    EXPECT_GE(found["diameter"]["upper"].get<double>(), std::sqrt(6));
+    EXPECT_NEAR(found["diameter"]["value"].get<double>(), std::sqrt(6), 1e-5);
+    // The mean of x^2 is 1/3; x and y spread as on the square.
+    EXPECT_NEAR(found["centroid"][0].get<double>(), 0.5, found["centroid_error"].get<double>());
+    EXPECT_NEAR(found["centroid"][2].get<double>(), 2.0 / 3, found["centroid_error"].get<double>());
+    EXPECT_LT(found["centroid_error"].get<double>(), 1e-12);
+    ASSERT_TRUE(found["dimension"]["hausdorff"].is_number()) << found["dimension"];
+    EXPECT_NEAR(found["dimension"]["hausdorff"].get<double>(), 2, 1e-9);
+    EXPECT_EQ(found["dimension"]["hausdorff_exact"], true);
+    EXPECT_THAT(found["dimension"]["hausdorff_why"].get<std::string>(),
+                HasSubstr("no less than that of its projection to x and y"));
+    EXPECT_NEAR(found["boundary"]["dimension"].get<double>(), 2, 1e-9);
 }
 
 TEST(ExactFacts, numbers_that_double_their_digits_are_given_up) {

@@ -17,7 +17,7 @@ namespace pxm::host::known_dimensions {
 struct Tried {
     int systems = 0;
     int measured = 0;
-    int beyond = 0;      // two errors
+    int beyond = 0;      // its error
     double too_low = 0;  // in all
 };
 
@@ -31,7 +31,7 @@ inline Tried try_all(const std::vector<systems::KnownSystem>& list) {
         ++tried.measured;
         const double off = *found.dimension - known.dimension;
         tried.too_low -= off;
-        if (std::abs(off) <= 2 * found.error) continue;
+        if (std::abs(off) <= found.error) continue;
         ++tried.beyond;
         std::cout << known.name << ": " << *found.dimension << " +- " << found.error << ", not "
                   << known.dimension << '\n';
@@ -39,9 +39,11 @@ inline Tried try_all(const std::vector<systems::KnownSystem>& list) {
     return tried;
 }
 
-/// Law: of 20 systems 19 are within two errors, and on average none is too low or too high.
+/// Law: the errors of 19 systems of 20 hold the dimension, those without one not counted as held;
+/// and on average none is too low or too high.
 inline void errors_are_right(const Tried& tried) {
-    EXPECT_LE(20 * tried.beyond, tried.measured);
+    const int not_held = tried.systems - tried.measured + tried.beyond;
+    EXPECT_LE(20 * not_held, tried.systems) << tried.measured << " measured";
     EXPECT_LT(std::abs(tried.too_low), 0.015 * tried.measured);
 }
 
