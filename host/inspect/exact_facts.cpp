@@ -28,19 +28,30 @@ Scene scene_without_text() { return {}; }
 
 }  // namespace
 
+ExactFindings exact_findings(const IfsBlock& block, const Scene* scene, const Rifs& rifs,
+                             const Rifs& part, const std::vector<Bounds>& bounds,
+                             const NeighbourLimits& limits) {
+    const Scene none = scene_without_text();
+    try {
+        if (!limits.as_written) throw exact::NotExact{"numbers were set from outside"};
+        return find_exactly(written_part(scene != nullptr ? *scene : none, block, rifs, part), part,
+                            bounds, limits);
+    } catch (const exact::NotExact& reason) {
+        return nothing_exact(reason.why);
+    }
+}
+
+bool keep_numbers(const Settings& settings) {
+    return std::ranges::all_of(settings, [](const Setting& setting) {
+        return setting.key.find('.') != std::string::npos && !setting.key.starts_with("ifs.");
+    });
+}
+
 void add_exact_facts(const IfsBlock& block, const Scene* scene, const Rifs& part,
                      const std::vector<Bounds>& bounds, const NeighbourLimits& limits,
                      IfsFacts& facts) {
     facts.exact_names = part.map_names;
-    const Scene none = scene_without_text();
-    try {
-        if (!limits.as_written) throw exact::NotExact{"numbers were set from outside"};
-        facts.exact =
-            find_exactly(written_part(scene != nullptr ? *scene : none, block, facts.rifs, part),
-                         part, bounds, limits);
-    } catch (const exact::NotExact& reason) {
-        facts.exact = nothing_exact(reason.why);
-    }
+    facts.exact = exact_findings(block, scene, facts.rifs, part, bounds, limits);
     const Decided<bool>& open_set = facts.exact.open_set;
     if (!open_set.value) return;
     const OpenSetCondition decided =

@@ -12,6 +12,7 @@
 #include "host/fractal/bounds/bounds.hpp"
 #include "host/fractal/neighbours/decided.hpp"
 #include "host/fractal/neighbours/neighbour_limits.hpp"
+#include "host/fractal/neighbours/volume_range.hpp"
 #include "host/fractal/system/rifs.hpp"
 
 namespace pxm::host {
@@ -40,17 +41,26 @@ struct ExactFindings {
     std::size_t touching = 0;          // those that are not the identity
     std::array<int, 3> axes{0, 1, 2};  // coordinates that the types' maps are in
     std::vector<TouchingType> graph;   // if it is finite
+    /// Per follow set: two of its maps, and the type of their images.
+    std::vector<std::vector<std::array<int, 3>>> own;
     std::vector<std::array<int, 2>> touching_maps;  // of the start: images with a common point
+    Decided<std::size_t> triples;      // pairs of neighbours that meet at a point of their cell
+    Decided<double> triple_dimension;  // of the points where three cells meet
 
     Decided<bool> overlaps;  // are two words the same map?
     std::array<std::vector<int>, 2> overlapping_words;
+    /// The system without words that equal an earlier one, if it was needed: per state its maps and
+    /// the states that they lead to; the first is that of the whole.
+    std::vector<std::vector<std::array<int, 2>>> distinct;
     Decided<bool> open_set;
     Decided<bool> connected;
+    std::vector<std::size_t> parts_of_levels;  // 1, 2 ..., if it is not connected
     Decided<bool> totally_disconnected;
     Decided<double> hausdorff;
-    Decided<double> boundary;  // its dimension
-    Decided<bool> interior;    // within the subspace
-    Decided<double> volume;    // and its length, area or volume
+    Decided<double> boundary;                     // its dimension
+    Decided<bool> interior;                       // within the subspace
+    Decided<double> volume;                       // and its length, area or volume
+    std::optional<VolumeBracket> volume_between;  // certified, if that is not decided at once
 };
 
 /// `written` are the maps of `rifs` as the scene's text has them; `bounds` as from bound().
