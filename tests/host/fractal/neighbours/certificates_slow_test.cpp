@@ -15,9 +15,9 @@ TEST(Certificates, whole_systems_that_turn_agree_with_integers) {
     Certified sums;
     for (int i = 0; i < systems; ++i) expect_certificate(random_whole_system(random), levels, sums);
     EXPECT_GT(sums.holds, systems / 5);
-    EXPECT_GT(sums.fails, systems / 20);
-    EXPECT_GT(sums.inside, systems / 50);
-    EXPECT_LT(sums.open, systems / 3);
+    EXPECT_GT(sums.fails, systems / 50);
+    EXPECT_GT(sums.inside, 0);
+    EXPECT_LT(sums.open, systems / 2);
 }
 
 }  // namespace
