@@ -16,6 +16,7 @@
 #include "host/files/new_folder.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/inspect/attractor_point.hpp"
+#include "host/inspect/exact_facts.hpp"
 #include "host/inspect/inspect_json.hpp"
 #include "host/inspect/inspect_text.hpp"
 #include "host/inspect/inspection.hpp"
@@ -69,11 +70,6 @@ void put(const std::string& text, const std::string& out) {
     }
 }
 
-/// Whether a system's maps may have other numbers than the text says.
-bool sets_numbers(const Setting& setting) {
-    return setting.key.find('.') == std::string::npos || setting.key.starts_with("ifs.");
-}
-
 /// `--neighbours` makes a folder of the place that `-o` names.
 bool writes_graphs(const InspectArguments& arguments) {
     return arguments.neighbours && !arguments.json && !arguments.out.empty();
@@ -123,7 +119,7 @@ ExitCode inspect_scene(const InspectArguments& arguments) {
         return ExitCode::done;
     }
     NeighbourLimits limits = limits_of(arguments.neighbours);
-    limits.as_written = std::ranges::none_of(settings, sets_numbers);
+    limits.as_written = keep_numbers(settings);
     const Inspection found = inspect(scene, arguments.scene, diagnostics, limits);
     diagnostics.throw_if_errors(scene.files);
     const std::string warnings = diagnostics.warnings_text(scene.files);

@@ -21,6 +21,8 @@
 #include "host/commands/render_parts.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/files/safe_file.hpp"
+#include "host/inspect/exact_facts.hpp"
+#include "host/inspect/neighbour_channel.hpp"
 #include "host/output/cost_model_json.hpp"
 #include "host/output/encoder.hpp"
 #include "host/output/image.hpp"
@@ -119,6 +121,11 @@ NodeCode parse_program(const std::string& text, const Model* machine) {
     return NodeCode::assembled;
 }
 
+bool shows_neighbours(const RenderArguments& a) {
+    return !a.aov.empty() && a.machine.empty() &&
+           std::ranges::count(parse_aovs(a.aov), Aov::neighbours) > 0;
+}
+
 RenderRequest request_of(const RenderArguments& a) {
     RenderRequest request;
     request.scene_path = a.scene;
@@ -131,6 +138,11 @@ RenderRequest request_of(const RenderArguments& a) {
     const ThreadChoice choice = choose_threads(a.threads);
     request.threads = choice.threads;
     request.threads_because = choice.because;
+    if (shows_neighbours(a))
+        request.walks = [as_written = keep_numbers(request.settings)](
+                            const Scene& scene, const CompiledScene& compiled) {
+            return neighbour_walks(scene, as_written, compiled);
+        };
     return request;
 }
 
@@ -240,6 +252,9 @@ std::vector<Aov> aovs_of(const RenderArguments& arguments) {
         throw Error(ErrorKind::setting,
                     "--aov cycles: cycles are counted on the machine only (--machine MODEL)");
     }
+    if (!arguments.machine.empty() && std::ranges::find(aovs, Aov::neighbours) != aovs.end())
+        throw Error(ErrorKind::setting,
+                    "--aov neighbours: only native renders read the words of cells (no --machine)");
     return aovs;
 }
 

@@ -24,14 +24,16 @@ const char* aov_name(Aov aov) {
             return "word";
         case Aov::normal:
             return "N";
+        case Aov::neighbours:
+            return "neighbours";
     }
     return "";
 }
 
 const std::vector<Aov>& all_aovs() {
     using enum Aov;
-    static const std::vector<Aov> all{z,    node,  cycles, volumes, level,
-                                      heap, alpha, object, word,    normal};
+    static const std::vector<Aov> all{z,     node,   cycles, volumes, level,     heap,
+                                      alpha, object, word,   normal,  neighbours};
     return all;
 }
 

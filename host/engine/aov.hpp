@@ -7,7 +7,7 @@
 namespace pxm::host {
 
 /// What can be written of a pixel beside its colour.
-enum class Aov { z, node, cycles, volumes, level, heap, alpha, object, word, normal };
+enum class Aov { z, node, cycles, volumes, level, heap, alpha, object, word, normal, neighbours };
 
 /// The name on the command line.
 [[nodiscard]] const char* aov_name(Aov aov);

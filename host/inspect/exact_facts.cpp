@@ -23,14 +23,6 @@ std::vector<std::size_t> places(const Rifs& rifs, const Rifs& part) {
     return places;
 }
 
-ExactFindings found_exactly(const WrittenSystem& system, const NeighbourLimits& limits) {
-    try {
-        return exact_library().find(system, limits);
-    } catch (const Error& error) {
-        return nothing_exact(error.what());
-    }
-}
-
 /// Between the dimension of a projection and the affinity dimension there may be no room.
 void add_dimension_of_shadow(IfsFacts& facts) {
     constexpr double rounding = 1e-9;  // of roots of exact equations
@@ -46,13 +38,29 @@ void add_dimension_of_shadow(IfsFacts& facts) {
 
 }  // namespace
 
+ExactFindings exact_findings(const IfsBlock& block, const Scene* scene, const Rifs& rifs,
+                             const Rifs& part, const std::vector<Bounds>& bounds,
+                             const NeighbourLimits& limits) {
+    const Scene none;
+    try {
+        return exact_library().find(
+            {scene != nullptr ? *scene : none, block, part, places(rifs, part), bounds}, limits);
+    } catch (const Error& error) {
+        return nothing_exact(error.what());
+    }
+}
+
+bool keep_numbers(const Settings& settings) {
+    return std::ranges::all_of(settings, [](const Setting& setting) {
+        return setting.key.find('.') != std::string::npos && !setting.key.starts_with("ifs.");
+    });
+}
+
 void add_exact_facts(const IfsBlock& block, const Scene* scene, const Rifs& part,
                      const std::vector<Bounds>& bounds, const NeighbourLimits& limits,
                      IfsFacts& facts) {
     facts.exact_names = part.map_names;
-    const Scene none;
-    facts.exact = found_exactly(
-        {scene != nullptr ? *scene : none, block, part, places(facts.rifs, part), bounds}, limits);
+    facts.exact = exact_findings(block, scene, facts.rifs, part, bounds, limits);
     const Decided<bool>& open_set = facts.exact.open_set;
     if (!open_set.value) {
         // Equal doubles may stand for numbers that are not.

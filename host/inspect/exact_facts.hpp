@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/inspect/inspection.hpp"
+#include "host/scene/check/settings.hpp"
 
 namespace pxm::host {
 
@@ -13,6 +14,15 @@ namespace pxm::host {
 void add_exact_facts(const IfsBlock& block, const Scene* scene, const Rifs& part,
                      const std::vector<Bounds>& bounds, const NeighbourLimits& limits,
                      IfsFacts& facts);
+
+/// What exact numbers decide of `part`, which the start of the block's `rifs` leads to.
+[[nodiscard]] ExactFindings exact_findings(const IfsBlock& block, const Scene* scene,
+                                           const Rifs& rifs, const Rifs& part,
+                                           const std::vector<Bounds>& bounds,
+                                           const NeighbourLimits& limits);
+
+/// Whether all systems' maps still have the numbers that the text says.
+[[nodiscard]] bool keep_numbers(const Settings& settings);
 
 /// What follows for the attractor's topology, in both directions. facts.disconnected is known.
 void add_exact_topology(IfsFacts& facts);

@@ -39,6 +39,8 @@ Json neighbours_json(const IfsFacts& ifs) {
     json["touching_maps"] = finite ? Json::array() : Json(nullptr);
     for (const auto& pair : exact.touching_maps)
         json["touching_maps"].push_back(names_json(ifs, pair));
+    add(json, "triples", exact.triples);
+    add(json, "triple_dimension", exact.triple_dimension);
     json["numbers"] = exact.numbers;
     json["decided_by"] = exact.degree > 0            ? Json("exact numbers")
                          : exact.interval_digits > 0 ? Json("intervals")
@@ -132,9 +134,13 @@ void add_exact_json(const IfsFacts& ifs, Json& json) {
         for (const auto& word : exact.overlapping_words)
             json["overlapping_words"].push_back(names_json(ifs, word));
     add(json, "connected", exact.connected);
+    json["parts_of_levels"] = exact.parts_of_levels;
     json["boundary"] = {{"dimension", value_json(exact.boundary)}, {"why", exact.boundary.why}};
     add(json, "interior", exact.interior);
     add(json, "volume", exact.volume);
+    json["volume_between"] = exact.volume_between
+                                 ? Json{exact.volume_between->low, exact.volume_between->high}
+                                 : Json(nullptr);
     add_measure_json(ifs, json);
     json["subspace"] = subspace_json(ifs);
 }

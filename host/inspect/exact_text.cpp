@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/inspect/dimension_order.hpp"
@@ -54,6 +55,25 @@ void add_order(const IfsFacts& ifs, std::string& text) {
     line(text, "in order", value);
 }
 
+/// How many parts the cells of each level make.
+void add_parts(const ExactFindings& exact, std::string& text) {
+    constexpr std::size_t most = 12;  // levels in a line
+    if (exact.parts_of_levels.empty()) return;
+    std::string parts;
+    for (std::size_t i = 0; i < std::min(most, exact.parts_of_levels.size()); ++i)
+        parts += fmt::format("{}{}", i > 0 ? ", " : "", exact.parts_of_levels[i]);
+    line(text, "", parts + " parts of the first levels' cells");
+}
+
+std::string threes(const ExactFindings& exact) {
+    if (*exact.triples.value == 0) return "no three cells have a common point";
+    std::string where =
+        fmt::format("{} pairs of neighbours at a point of their cell", *exact.triples.value);
+    if (exact.triple_dimension.value)
+        where += fmt::format("; such points have dimension {:.6g}", *exact.triple_dimension.value);
+    return where;
+}
+
 void add_exact(const IfsFacts& ifs, std::string& text) {
     const ExactFindings& exact = ifs.exact;
     line(text, "numbers", exact.degree > 0 ? exact.numbers : "not exact: " + exact.numbers);
@@ -67,6 +87,8 @@ void add_exact(const IfsFacts& ifs, std::string& text) {
                          word(ifs, exact.overlapping_words[1])));
     line(text, "Hausdorff", answer(exact.hausdorff));
     line(text, "connected", answer(exact.connected));
+    add_parts(exact, text);
+    if (exact.triples.value) line(text, "meeting in threes", threes(exact));
     line(text, "inside", answer(exact.interior));
     if (exact.interior.value.value_or(false)) line(text, "volume", answer(exact.volume));
     line(text, "boundary", answer(exact.boundary));

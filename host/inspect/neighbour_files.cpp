@@ -78,6 +78,32 @@ std::string boundary_scene(const IfsFacts& ifs) {
     return text + "    start: " + start + "\n}\n";
 }
 
+std::string distinct_scene(const IfsFacts& ifs) {
+    const auto& states = ifs.exact.distinct;
+    std::set<std::array<int, 2>> steps;  // a map, and the state after it
+    for (const auto& state : states) steps.insert(state.begin(), state.end());
+    if (steps.empty() || steps.size() > most_maps) return "";
+    const auto name_of = [](const std::array<int, 2>& step) {
+        return fmt::format("m{}_{}", step[0] + 1, step[1]);
+    };
+    const auto names_of_state = [&](int state) {
+        std::string names;
+        for (const auto& step : states[static_cast<std::size_t>(state)])
+            names += (names.empty() ? "" : ", ") + name_of(step);
+        return names;
+    };
+    std::string text = fmt::format(
+        "# {} without cells that coincide: words that equal no earlier one. Written by pxm "
+        "inspect.\n"
+        "ifs distinct {{\n",
+        ifs.rifs.name);
+    for (const auto& step : steps)
+        text += fmt::format("    newmap {} matrix: {}\n", name_of(step), matrix_of(ifs, step[0]));
+    for (const auto& step : steps)
+        text += fmt::format("    follow: {} -> {}\n", name_of(step), names_of_state(step[1]));
+    return text + "    start: " + names_of_state(0) + "\n}\n";
+}
+
 std::string neighbour_graph_dot(const IfsFacts& ifs) {
     const auto name = [&](int map) {
         return map < 0 ? "-" : ifs.exact_names[static_cast<std::size_t>(map)];
@@ -106,6 +132,8 @@ std::vector<NeighbourFile> neighbour_files(const Inspection& inspection) {
             files.push_back({name + ".html", neighbour_page(ifs)});
         std::string scene = boundary_scene(ifs);
         if (!scene.empty()) files.push_back({name + "-boundary.pxm", std::move(scene)});
+        std::string distinct = distinct_scene(ifs);
+        if (!distinct.empty()) files.push_back({name + "-distinct.pxm", std::move(distinct)});
     }
     return files;
 }

@@ -23,6 +23,8 @@ struct NeighbourFile {
 [[nodiscard]] std::string neighbour_graph_dot(const IfsFacts& ifs);
 /// A page that shows two cells of each type and where they meet, as far as dots tell it.
 [[nodiscard]] std::string neighbour_page(const IfsFacts& ifs);
+/// The system without cells that coincide, as a scene; empty if none do, or it has too many maps.
+[[nodiscard]] std::string distinct_scene(const IfsFacts& ifs);
 /// The boundary as a scene; empty if there is no inside, or it has too many maps for one.
 [[nodiscard]] std::string boundary_scene(const IfsFacts& ifs);
 

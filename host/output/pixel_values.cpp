@@ -71,6 +71,7 @@ void append_aov(const PixelRecord& pixel, Aov aov, float*& to) {
         case Aov::node:
             return put(pixel.node);
         case Aov::cycles:
+        case Aov::neighbours:
             return put(pixel.cycles);
         case Aov::volumes:
             return put(pixel.volumes);

@@ -31,6 +31,7 @@ void for_fields(Record& pixel, const std::vector<Aov>& channels, const Each& eac
                 each(pixel.node);
                 break;
             case Aov::cycles:
+            case Aov::neighbours:
                 each(pixel.cycles);
                 break;
             case Aov::volumes:

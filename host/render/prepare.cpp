@@ -55,6 +55,7 @@ Prepared prepare(const RenderRequest& request) {
     }
     if (request.cell_cap) prepared.compiled.cell_cap = *request.cell_cap;
     diagnostics.throw_if_errors(prepared.scene.files);
+    if (request.walks) prepared.walks = request.walks(prepared.scene, prepared.compiled);
     prepared.warnings = diagnostics.warnings_text(prepared.scene.files);
     if (!prepared.warnings.empty()) prepared.warnings += '\n';
     prepared.compile_seconds = clock.lap();
@@ -83,6 +84,7 @@ IntersectChoice intersect_of(const Prepared& prepared, const RenderRequest& requ
     const IntersectMethod asked = render.intersect.value_or(IntersectMethod::automatic);
     const std::string why_not =
         request.machine ? "the machine's nodes have no wide registers"
+        : request.walks ? "the channel neighbours reads the words of cells"
                         : wide::why_not_wide(prepared.compiled, numeric_of(prepared, request));
     if (asked != IntersectMethod::wide || why_not.empty()) return choose_intersect(asked, why_not);
     if (request.overrides.intersect) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/compiled/compiled_scene.hpp"
+#include "host/engine/neighbour_walk.hpp"
 #include "host/render/render.hpp"
 
 namespace pxm::host {
@@ -13,6 +14,7 @@ namespace pxm::host {
 struct Prepared {
     Scene scene;
     CompiledScene compiled;
+    NeighbourWalks walks;  // if a channel wants them
     std::string warnings;
     double parse_seconds = 0;
     double compile_seconds = 0;

@@ -121,7 +121,9 @@ std::unique_ptr<StartedRender> start_render(const RenderRequest& request) {
     Statistics& statistics = started->result.statistics;
     statistics.intersect_because = intersect.because;
     PhaseClock load_clock;
-    started->loaded = load(prepared.compiled, choice);
+    started->loaded = prepared.walks.empty()
+                          ? load(prepared.compiled, choice)
+                          : load_reference_with(prepared.compiled, choice, prepared.walks);
     statistics.seconds.load = load_clock.lap();
     statistics.scene_block_words = started->loaded->block().size();
     statistics.scene_block_hash = block_hash(started->loaded->block());

@@ -14,6 +14,7 @@
 #include "host/scene/scene.hpp"
 
 namespace pxm::host {
+struct NeighbourWalk;
 
 /// What the command line says over the scene's own image, render and object blocks.
 struct SceneOverrides {
@@ -54,6 +55,10 @@ struct RenderRequest {
     std::optional<long> only_sample;         // of an open shutter: one of the samples of all pixels
     std::optional<std::uint32_t> cell_cap;   // of studies; absent: that of CompiledScene
     std::vector<std::string> outputs;  // to be written: none may be what the scene is read from
+    /// For the channel `neighbours`: how the shapes' words are read. Throws Error.
+    std::function<std::vector<std::shared_ptr<const NeighbourWalk>>(const Scene&,
+                                                                    const CompiledScene&)>
+        walks;
 };
 /// What a render gives.
 struct RenderResult {

@@ -11,15 +11,20 @@
 #include "host/fractal/exact/exact_system.hpp"
 #include "host/fractal/neighbours/distinct_words.hpp"
 #include "host/fractal/neighbours/graph_growth.hpp"
+#include "host/fractal/neighbours/level_parts.hpp"
+#include "host/fractal/neighbours/level_system.hpp"
 #include "host/fractal/neighbours/neighbour_graph.hpp"
 #include "host/fractal/neighbours/tile_volume.hpp"
+#include "host/fractal/neighbours/triple_graph.hpp"
 #include "host/fractal/system/graph_facts.hpp"
 
 namespace pxm::host {
 
 namespace {
 
-constexpr std::size_t most_states = 20'000;  // of words without duplicates
+constexpr std::size_t most_states = 20'000;   // of words without duplicates
+constexpr std::size_t most_triples = 60'000;  // each six times
+constexpr std::size_t most_cells = 3'000;     // of a level whose parts are counted
 
 constexpr const char* flat_pieces = "some pieces lie in a smaller line or plane than the maps keep";
 
@@ -38,6 +43,7 @@ class Findings {
         : system_(system),
           rifs_(rifs),
           bounds_(bounds),
+          limits_(limits),
           whole_(rifs.follow_sets.size() == 1),
           strong_(graph_facts(rifs).strongly_connected),
           full_(whole_ || pieces_fill(system, rifs)),
@@ -56,6 +62,7 @@ class Findings {
         add_hausdorff();
         add_interior();
         add_boundary();
+        add_triples();
         return std::move(found_);
     }
 
@@ -80,6 +87,8 @@ class Findings {
         found_.boundary = {std::nullopt, why};
         found_.interior = {std::nullopt, why};
         found_.volume = {std::nullopt, why};
+        found_.triples = {std::nullopt, why};
+        found_.triple_dimension = {std::nullopt, why};
     }
 
     [[nodiscard]] bool finite() const { return found_.finite.value.value_or(false); }
@@ -116,6 +125,11 @@ class Findings {
             kept.entries.assign(rounded.entry, rounded.entry + entries);
             for (const NeighbourEdge& e : type.edges)
                 kept.edges.push_back({e.first, e.second, number[static_cast<std::size_t>(e.to)]});
+        }
+        for (const auto& edges : graph_.own) {
+            auto& own = found_.own.emplace_back();
+            for (const NeighbourEdge& e : edges)
+                own.push_back({e.first, e.second, number[static_cast<std::size_t>(e.to)]});
         }
         found_.axes = system_.axes;
     }
@@ -197,10 +211,14 @@ class Findings {
         } else {
             found_.connected = {std::nullopt, "a part of the graph falls apart inside of pieces"};
         }
+        if (!all) found_.parts_of_levels = level_parts(graph_, rifs_, most_cells);
         if (none) {
             found_.totally_disconnected = {true, "no two images have a common point"};
         } else if (all && found_.dimensions > 0) {
             found_.totally_disconnected = {false, "it is connected and no point"};
+        } else if (has_connected_part(graph_, rifs_)) {
+            found_.totally_disconnected = {
+                false, "some maps' own attractor hangs together by common points [Hata85]"};
         } else {
             found_.totally_disconnected = {std::nullopt, "some images have common points"};
         }
@@ -236,24 +254,68 @@ class Findings {
         } else if (!found_.overlaps.value.value_or(false)) {
             found_.hausdorff = {std::nullopt, found_.open_set.why};
         } else if (!system_.equal_ratios) {
-            found_.hausdorff = {std::nullopt, "cells coincide, and the maps' ratios differ"};
+            try {
+                level_dimension();
+            } catch (const exact::NotExact& reason) {
+                found_.hausdorff = {std::nullopt, reason.why};
+            }
         } else {
             reduced_dimension();
         }
     }
 
+    /// Where cells coincide and ratios differ.
+    void level_dimension() {
+        const auto levels =
+            whole_ ? level_system(system_, rifs_, bounds_[0]) : std::optional<LevelSystem>{};
+        if (!levels) {
+            found_.hausdorff = {std::nullopt,
+                                "cells coincide, and the maps' ratios are no small "
+                                "powers of one number"};
+            return;
+        }
+        const NeighbourGraph graph =
+            neighbour_graph(levels->system, levels->rifs, levels->bounds, limits_);
+        if (!graph.finite.value_or(false)) {
+            found_.hausdorff = {std::nullopt, "of the system with maps of one ratio: " + graph.why};
+            return;
+        }
+        const auto words = distinct_words(graph, levels->rifs, most_states);
+        if (!words) {
+            too_many_states();
+            return;
+        }
+        GrowthGraph growth;
+        for (const auto& steps : words->states) {
+            auto& row = growth.emplace_back();
+            for (const auto& step : steps) row.push_back({step.to, levels->log_ratio});
+        }
+        set_dimension(growth, fmt::format("finite type: with maps of one ratio, the words that "
+                                          "equal no earlier one, a graph of {} states [NW01] "
+                                          "[Zerner96]",
+                                          words->states.size()));
+    }
+
+    void too_many_states() {
+        found_.hausdorff = {std::nullopt, fmt::format("the system without duplicates has more "
+                                                      "than {} states",
+                                                      most_states)};
+    }
+
     void reduced_dimension() {
         const auto words = distinct_words(graph_, rifs_, most_states);
         if (!words) {
-            found_.hausdorff = {std::nullopt, fmt::format("the system without duplicates has more "
-                                                          "than {} states",
-                                                          most_states)};
+            too_many_states();
             return;
         }
         GrowthGraph graph;
         for (const auto& steps : words->states) {
             auto& row = graph.emplace_back();
-            for (const auto& step : steps) row.push_back({step.to, log_ratio(step.map)});
+            auto& kept = found_.distinct.emplace_back();
+            for (const auto& step : steps) {
+                row.push_back({step.to, log_ratio(step.map)});
+                kept.push_back({step.map, step.to});
+            }
         }
         set_dimension(graph, fmt::format("finite type: the words that equal no earlier one, a "
                                          "graph of {} states [NW01] [Zerner96]",
@@ -282,6 +344,8 @@ class Findings {
         if (is_interval()) {
             found_.interior = {true, "a connected set in a line is an interval"};
             found_.volume = {std::nullopt, "not computed"};
+            if (exact::is_coordinate_plane(system_))
+                found_.volume = {interval_length(), "the length of an interval"};
             return;
         }
         if (whole_) {
@@ -296,15 +360,52 @@ class Findings {
             found_.interior = {true,
                                "the open-set condition holds and the maps' volumes add up to the "
                                "whole's [Schief94]"};
-            found_.volume = whole_ ? tile_volume(system_, rifs_, graph_, bounds_[0])
-                                   : Decided<double>{std::nullopt, "not computed for graphs"};
+            add_tile_volume();
             return;
         }
         add_interior_of_graph();
     }
 
+    void add_tile_volume() {
+        try {
+            auto [volume, between] = tile_volume(system_, rifs_, graph_, bounds_,
+                                                 found_.connected.value.value_or(false));
+            found_.volume = std::move(volume);
+            found_.volume_between = between;
+        } catch (const exact::NotExact& reason) {
+            found_.volume = {std::nullopt, "not computed: " + reason.why};
+        }
+    }
+
     [[nodiscard]] bool is_interval() const {
         return full_ && found_.dimensions == 1 && found_.connected.value.value_or(false);
+    }
+
+    /// From the equation that the ends of all pieces have, in double.
+    [[nodiscard]] double interval_length() const {
+        constexpr int most_rounds = 10'000;
+        const int axis = system_.axes[0];
+        std::vector<std::array<double, 2>> ends;
+        for (const Bounds& b : bounds_) ends.push_back({b.ball.center[axis], b.ball.center[axis]});
+        for (int round = 0; round < most_rounds; ++round) {
+            auto next = ends;
+            for (std::size_t s = 0; s < ends.size(); ++s) {
+                next[s] = {INFINITY, -INFINITY};
+                for (const int m : rifs_.follow_sets[s].maps) {
+                    const auto map = static_cast<std::size_t>(m);
+                    for (const double end : ends[static_cast<std::size_t>(rifs_.follow_of[map])]) {
+                        glm::dvec3 p = bounds_[s].ball.center;
+                        p[axis] = end;
+                        const double image = rifs_.maps[map].point(p)[axis];
+                        next[s] = {std::min(next[s][0], image), std::max(next[s][1], image)};
+                    }
+                }
+            }
+            if (next == ends) break;
+            ends = std::move(next);
+        }
+        const auto start = static_cast<std::size_t>(rifs_.start);
+        return ends[start][1] - ends[start][0];
     }
 
     /// Whether the follow sets can have positive volumes of which each is the sum of its maps'
@@ -377,9 +478,41 @@ class Findings {
                            "[Falconer95]"};
     }
 
+    void add_triples() {
+        if (!finite()) {
+            found_.triples = {std::nullopt, unfinished()};
+            found_.triple_dimension = {std::nullopt, unfinished()};
+            return;
+        }
+        const TripleGraph triples = triple_graph(graph_, most_triples);
+        if (!triples.complete) {
+            found_.triples = {std::nullopt, triples.why};
+            found_.triple_dimension = {std::nullopt, triples.why};
+            return;
+        }
+        found_.triples = {triples.count(),
+                          "three cells that can be divided for ever so that each "
+                          "two touch have a common point [BM09]"};
+        if (triples.types.empty()) {
+            found_.triple_dimension = {std::nullopt, "no three cells meet"};
+        } else if (!found_.open_set.value.value_or(false)) {
+            found_.triple_dimension = {std::nullopt, found_.open_set.why};
+        } else {
+            GrowthGraph growth(triples.types.size());
+            for (std::size_t k = 0; k < growth.size(); ++k)
+                for (const TripleEdge& e : triples.types[k].edges)
+                    growth[k].push_back({e.to, log_ratio(e.maps[0])});
+            const auto exponent = growth_exponent(growth);
+            found_.triple_dimension = {exponent->middle(),
+                                       "where three cells meet, a graph-directed set [DKV00] "
+                                       "[Falconer95]"};
+        }
+    }
+
     const exact::ExactSystem& system_;
     const Rifs& rifs_;
     const std::vector<Bounds>& bounds_;
+    NeighbourLimits limits_;
     bool whole_;  // one follow set: an IFS
     bool strong_;
     bool full_;  // no piece lies in a smaller subspace than the maps keep

@@ -12,6 +12,7 @@
 #include "host/fractal/bounds/bounds.hpp"
 #include "host/fractal/neighbours/decided.hpp"
 #include "host/fractal/neighbours/neighbour_limits.hpp"
+#include "host/fractal/neighbours/volume_range.hpp"
 #include "host/fractal/system/rifs.hpp"
 
 namespace pxm::host {
@@ -41,18 +42,27 @@ struct ExactFindings {        // what is decided of a system
     std::size_t touching = 0;          // those that are not the identity
     std::array<int, 3> axes{0, 1, 2};  // coordinates that the types' maps are in
     std::vector<TouchingType> graph;   // if it is finite
+    /// Per follow set: two of its maps, and the type of their images.
+    std::vector<std::vector<std::array<int, 3>>> own;
     std::vector<std::array<int, 2>> touching_maps;  // of the start: images with a common point
+    Decided<std::size_t> triples;      // pairs of neighbours that meet at a point of their cell
+    Decided<double> triple_dimension;  // of the points where three cells meet
 
     Decided<bool> overlaps;                             // are two words the same map?
     std::array<std::vector<int>, 2> overlapping_words;  // two words that are the same map, or empty
-    Decided<bool> open_set;                             // is the open-set condition satisfied?
-    Decided<bool> connected;                            // is the attractor one piece?
-    Decided<bool> totally_disconnected;                 // is every piece of it a point?
-    Decided<double> hausdorff;                          // its Hausdorff dimension
+    /// The system without words that equal an earlier one, if it was needed: per state its maps and
+    /// the states that they lead to; the first is that of the whole.
+    std::vector<std::vector<std::array<int, 2>>> distinct;
+    Decided<bool> open_set;                    // is the open-set condition satisfied?
+    Decided<bool> connected;                   // is the attractor one piece?
+    std::vector<std::size_t> parts_of_levels;  // 1, 2 ..., if it is not connected
+    Decided<bool> totally_disconnected;        // is every piece of it a point?
+    Decided<double> hausdorff;                 // its Hausdorff dimension
     Decided<double> shadow;    // the largest Hausdorff dimension of a projection along axes
     Decided<double> boundary;  // its dimension
     Decided<bool> interior;    // within the subspace
     Decided<double> volume;    // and its length, area or volume
+    std::optional<VolumeBracket> volume_between;  // certified, if that is not decided at once
 };
 
 /// `written` are the maps of `rifs` as the scene's text has them; `bounds` as from bound().
@@ -69,6 +79,7 @@ struct ExactFindings {        // what is decided of a system
     found.finite.why = found.overlaps.why = found.open_set.why = found.connected.why = because;
     found.totally_disconnected.why = found.hausdorff.why = found.boundary.why = because;
     found.interior.why = found.volume.why = because;
+    found.triples.why = found.triple_dimension.why = because;
     return found;
 }
 

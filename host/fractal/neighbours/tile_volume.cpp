@@ -1,10 +1,15 @@
 #include "host/fractal/neighbours/tile_volume.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 #include <vector>
+
+#include "host/fractal/neighbours/convex_tile.hpp"
+#include "host/fractal/neighbours/crystal_group.hpp"
 
 namespace pxm::host {
 
@@ -89,28 +94,64 @@ double volume_above(const exact::ExactSystem& system, const Rifs& rifs, const Bo
     return static_cast<double>(places.size()) * std::pow(side, n);
 }
 
-}  // namespace
-
-Decided<double> tile_volume(const exact::ExactSystem& system, const Rifs& rifs,
-                            const NeighbourGraph& graph, const Bounds& bounds) {
+/// What the volume is a whole multiple of, by the lattice of the neighbours.
+Decided<double> lattice_unit(const exact::ExactSystem& system, const NeighbourGraph& graph) {
     std::vector<Vector> translations;
     for (const NeighbourType& type : graph.types) {
         if (!type.touches) continue;
         if (!is_translation(system, type.map))
-            return {std::nullopt, "not computed: not all neighbours are translated copies"};
+            return {std::nullopt, "not all neighbours are translated copies"};
         Vector& v = translations.emplace_back();
         for (int i = 0; i < system.field.dimensions; ++i)
             v.push_back(type.map.entry(system.field, i, system.field.dimensions));
     }
-    if (translations.size() > most_types)
-        return {std::nullopt, "not computed: too many neighbours"};
-    if (system.field.dimensions < 3 && !exact::is_coordinate_plane(system))
-        return {std::nullopt, "not computed: it lies aslant"};
+    if (translations.size() > most_types) return {std::nullopt, "too many neighbours"};
     const auto cell = lattice_cell(system, translations);
-    if (!cell) return {std::nullopt, "not computed: the neighbours' translations are no lattice"};
-    if (!(volume_above(system, rifs, bounds) < 2 * *cell))
-        return {std::nullopt, "not computed: it may cover its lattice more than once"};
-    return {cell, "that of a cell of the lattice by which its copies tile [LW96]"};
+    if (!cell) return {std::nullopt, "the neighbours' translations are no lattice"};
+    return {cell, "a cell of the lattice by which its copies tile [LW96]"};
+}
+
+Decided<double> unit_of(const exact::ExactSystem& system, const Rifs& rifs,
+                        const NeighbourGraph& graph, bool connected) {
+    if (rifs.follow_sets.size() > 1) return {std::nullopt, "there is no formula for graphs"};
+    Decided<double> unit = lattice_unit(system, graph);
+    if (unit.value || !connected) return unit;
+    Decided<double> of_group = crystal_cell(system, graph);
+    return of_group.value ? of_group
+                          : Decided<double>{std::nullopt, unit.why + "; " + of_group.why};
+}
+
+}  // namespace
+
+TileVolume tile_volume(const exact::ExactSystem& system, const Rifs& rifs,
+                       const NeighbourGraph& graph, const std::vector<Bounds>& bounds,
+                       bool connected) {
+    if (system.field.dimensions < 3 && !exact::is_coordinate_plane(system))
+        return {{std::nullopt, "not computed: it lies aslant"}, std::nullopt};
+    if (rifs.follow_sets.size() == 1)
+        if (const auto convex = convex_volume(system))
+            return {{convex, "a convex body, which the maps' images of it fill [Hutchinson81]"},
+                    {}};
+    const Decided<double> unit = unit_of(system, rifs, graph, connected);
+    const double above = unit.value ? volume_above(system, rifs, bounds[0]) : INFINITY;
+    if (unit.value && above < 2 * *unit.value) return {{unit.value, "that of " + unit.why}, {}};
+    auto between = volume_bracket(system, rifs, graph, bounds);
+    if (!between) return {{std::nullopt, "not computed: " + unit.why}, {}};
+    between->high = std::min(between->high, above);
+    if (!unit.value)
+        return {{std::nullopt, fmt::format("between {:.6g} and {:.6g}: {}", between->low,
+                                           between->high, unit.why)},
+                between};
+    const double least = std::max(1.0, std::ceil(between->low / *unit.value * (1 - margin)));
+    const double most = std::floor(between->high / *unit.value * (1 + margin));
+    if (least != most)
+        return {{std::nullopt, fmt::format("{:g} to {:g} times that of {}", least, most, unit.why)},
+                between};
+    return {
+        {least * *unit.value, fmt::format("{:g} times that of {}, as it lies between {:.6g} and "
+                                          "{:.6g}",
+                                          least, unit.why, between->low, between->high)},
+        between};
 }
 
 }  // namespace pxm::host

@@ -81,7 +81,7 @@ TEST_F(CommandLine, an_unknown_option_value_is_code_2_and_told_what_is_expected)
     }
     refuse({"-o", "x.exr", "--aov", "Z,Q"},
            "--aov: found \"Q\", expected names out of Z node cycles volumes level heap alpha "
-           "object word N, separated by commas");
+           "object word N neighbours, separated by commas");
 }
 
 TEST_F(CommandLine, a_number_out_of_range_is_code_2) {

@@ -158,5 +158,20 @@ TEST(ExactFacts, the_boundary_of_a_tile_is_a_scene_of_that_dimension) {
     EXPECT_EQ(host::neighbour_files(dragon).size(), 4U);
 }
 
+TEST(ExactFacts, a_system_without_duplicates_is_a_scene_of_that_dimension) {
+    const host::Inspection gasket =
+        inspect_text_of("a.pxm",
+                        "ifs a { newmap scale: 1/phi newmap scale: 1/phi translate: 1,0,0\n"
+                        "newmap scale: 1/phi translate: 0,1,0 }");
+    const std::string scene = host::distinct_scene(gasket.ifs.front());
+    const host::Inspection distinct = inspect_text_of("distinct.pxm", scene);
+    ASSERT_TRUE(distinct.ifs.front().dimensions.similarity);
+    EXPECT_NEAR(distinct.ifs.front().dimensions.similarity->middle(),
+                *gasket.ifs.front().exact.hausdorff.value, 1e-9);
+    const host::Inspection none = inspect_text_of(
+        "b.pxm", "ifs b { newmap scale: 1/3 newmap scale: 1/3 translate: 2/3,0,0 }");
+    EXPECT_EQ(host::distinct_scene(none.ifs.front()), "");
+}
+
 }  // namespace
 }  // namespace pxm::test

@@ -40,16 +40,20 @@ inline void expect_ifs_keys(const nlohmann::json& ifs, const std::string& where)
                  "overlapping_words",
                  "connected",
                  "connected_why",
+                 "parts_of_levels",
                  "boundary",
                  "interior",
                  "interior_why",
                  "volume",
                  "volume_why",
+                 "volume_between",
                  "centroid",
                  "principal_axes",
                  "diameter"},
                 where);
-    expect_keys(ifs["neighbours"], {"finite", "finite_why", "types", "touching"}, where);
+    expect_keys(ifs["neighbours"],
+                {"finite", "finite_why", "types", "touching", "triples", "triple_dimension"},
+                where);
     expect_keys(ifs["boundary"], {"dimension", "why"}, where);
     expect_keys(ifs["diameter"], {"value", "between"}, where);
     expect_keys(ifs["bounding_sphere"], {"center", "radius"}, where);
