@@ -165,7 +165,7 @@ class AssembledMachine : public LoadedNodes {
     /// The memories; operations are not counted here, cycles are the processors' own.
     [[nodiscard]] MachineStatistics describe(DspMachine& machine) const {
         MachineStatistics statistics = describe_machine(machine, choice_.costs);
-        const std::size_t words = assembled_program().words().size();
+        const std::size_t words = assembled_program(scene_).words().size();
         statistics.fast_memory = {fast_memory_bytes,
                                   static_cast<std::int64_t>(words * sizeof(dsp32::Word))};
         return statistics;
