@@ -53,6 +53,41 @@ struct Walks {
     int met = 0, missed = 0;
 };
 
+/// A ray, in the program as well. Every second one leads through the middle, so that cells are met.
+inline Ray<Float> draw_ray(dsp32::processor::Program& program, std::mt19937_64& engine,
+                           bool to_middle) {
+    Word ray[7];
+    for (int k = 0; k < 7; ++k) ray[k] = near_one(engine, k < 3 ? 3 : 1);
+    for (int k = 0; to_middle && k < 3; ++k)
+        ray[3 + k] = (Float(0) - Float::from_word(ray[k])).word();
+    if (engine() % 4 == 0) ray[3 + engine() % 3] = dsp32::zero;
+    for (std::uint32_t k = 0; k < 7; ++k) program.word("search_ray", k) = ray[k];
+    return ray_of(ray);
+}
+
+/// A cell of up to five maps, in the program as well.
+inline Cell<Float> draw_cell(dsp32::processor::Program& program, std::mt19937_64& engine) {
+    Cell<Float> cell;
+    cell.object = WalkScene::object;
+    cell.bits = 8;
+    cell.level = static_cast<std::uint16_t>(engine() % 6);
+    program.word("cell_level") = cell.level;
+    for (std::uint32_t k = 0; k < 2; ++k) program.word("cell_word", k) = 0;
+    for (std::uint32_t k = 0; k < cell.level; ++k) {
+        const auto map = static_cast<std::uint32_t>(engine() % WalkScene::map_count);
+        cell.word.set(k, cell.bits, map);
+        program.word("cell_word", k / 4) |= map << (k ^ 1U) % 4 * 8;
+    }
+    return cell;
+}
+
+inline void expect_words(dsp32::processor::Program& program, const char* label,
+                         const Vec3<Float>& vector) {
+    EXPECT_EQ(program.word(label, 0), vector.x.word()) << label;
+    EXPECT_EQ(program.word(label, 1), vector.y.word()) << label;
+    EXPECT_EQ(program.word(label, 2), vector.z.word()) << label;
+}
+
 inline Walks try_walk(Volume volume, std::uint64_t seed, int count) {
     Kernel kernel("walk",
                   {"scene_block",
@@ -89,36 +124,14 @@ inline Walks try_walk(Volume volume, std::uint64_t seed, int count) {
             shaped.copy_to(program.node);
             program.call(volume == Volume::sphere ? "read_scene" : "read_volume");
         }
-        Word ray[7];
-        for (int k = 0; k < 7; ++k) ray[k] = near_one(engine, k < 3 ? 3 : 1);
-        // Half of the rays lead through the middle, so that cells are met.
-        for (int k = 0; i % 2 == 0 && k < 3; ++k)
-            ray[3 + k] = (Float(0) - Float::from_word(ray[k])).word();
-        if (i % 4 == 0) ray[3 + engine() % 3] = dsp32::zero;
-        for (std::uint32_t k = 0; k < 7; ++k) program.word("search_ray", k) = ray[k];
-        Cell<Float> cell;
-        cell.object = WalkScene::object;
-        cell.bits = 8;
-        cell.level = static_cast<std::uint16_t>(engine() % 6);
-        program.word("cell_level") = cell.level;
-        for (std::uint32_t k = 0; k < 2; ++k) program.word("cell_word", k) = 0;
-        for (std::uint32_t k = 0; k < cell.level; ++k) {
-            const auto map = static_cast<std::uint32_t>(engine() % WalkScene::map_count);
-            cell.word.set(k, cell.bits, map);
-            program.word("cell_word", k / 4) |= map << (k ^ 1U) % 4 * 8;
-        }
-        kernel.call({});
         Search<Float> search{};
-        search.ray = ray_of(ray);
+        search.ray = draw_ray(program, engine, i % 2 == 0);
+        const Cell<Float> cell = draw_cell(program, engine);
+        kernel.call({});
         const Surface<Float> surface =
             surface_at(node, Sighting<Float>{search, cell, 0}, ShadingMode::constant);
-        const auto expect_words = [&](const char* label, const Vec3<Float>& vector) {
-            EXPECT_EQ(program.word(label, 0), vector.x.word()) << label << " " << i;
-            EXPECT_EQ(program.word(label, 1), vector.y.word()) << label << " " << i;
-            EXPECT_EQ(program.word(label, 2), vector.z.word()) << label << " " << i;
-        };
-        expect_words("walk_color", surface.color);
-        expect_words("walk_normal", surface.normal);
+        expect_words(program, "walk_color", surface.color);
+        expect_words(program, "walk_normal", surface.normal);
         ((program.word("walk_visited") & 0xFFFFU) != 0 ? walks.met : walks.missed) += 1;
     }
     EXPECT_GT(walks.met, count / 10);
