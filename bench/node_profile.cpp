@@ -112,7 +112,7 @@ Profile profile(const CompiledScene& scene) {
     Machine<Real> machine = loaded(scene, model);
     AssembledNode node(machine.nodes()[0], scene, model,
                        {0, 0, scene.size.columns, scene.size.rows});
-    const AssembledProgram& program = assembled_program();
+    const AssembledProgram& program = assembled_program(scene);
     const std::map<std::uint32_t, Stage> starts{{program.address_of("eye_ray"), eye_rays},
                                                 {program.address_of("search"), search},
                                                 {program.address_of("walk"), shading},
@@ -184,7 +184,8 @@ int main(int count, char** words) try {
     std::uint64_t all = 0;
     for (const auto& [source, cycles] : by_source) all += cycles;
     std::puts("\n| file | bytes | share of the cycles |\n| --- | ---: | ---: |");
-    for (const ProgramModule& module : assembled_program().sizes().modules)
+    const AssembledProgram program(kernels::Volume::sphere);
+    for (const ProgramModule& module : program.sizes().modules)
         std::fputs(fmt::format(
                        "| `{}` | {} | {:.1f} % |\n", module.name, module.bytes,
                        100 * static_cast<double>(by_source[module.name]) / static_cast<double>(all))

@@ -1,15 +1,16 @@
-// Whether a ray meets a cell's ball, and where, within the interval of the cell around it: as meet()
-// of dsp_kernels/descend.hpp for spheres, bit for bit (Step 2.4.4; Errata 2 and 3). Needs approach.s,
-// ball.s, divide.s and square_root.s.
+// Whether a ray meets a cell's volume, and where, within the interval of the cell around it: as meet()
+// of dsp_kernels/descend.hpp, bit for bit (Step 2.4.4; Errata 2 and 3). Needs approach.s, divide.s,
+// and what volume_ball.s or volume_box.s names: volume, the routine that meets one, and volume_at,
+// where behind the centre its numbers are.
 // A comparison is a subtraction and its sign: what differs by less than 2^-127 is equal.
-//   r1  -> the ray, seven words, which becomes one that starts near the ball
-//   r2  -> the ball: centre and radius, four words
+//   r1  -> the ray, seven words, which becomes one that starts near the volume
+//   r2  -> the volume: its centre, and its numbers
 //   r3  -> from and to: the cell around it, two words
 //   r4  -> key and exit, two words; there two instructions after the return; if the ray misses, they
 //          mean nothing
 //   r4     then 1 if the ray meets the cell, else 0
 //   r14    return address
-//   changes r1 to r13, r17 to r20, a0 to a3, and its scratch words
+//   changes r1 to r13, r15 to r20, a0 to a3, and its scratch words
 //   words and cycles: docs/dsp32.md, "Kernels"
 meet:
         *meet_link = r14
@@ -19,8 +20,8 @@ meet:
         call approach (r14)
         r20 = r4
         r1 = r17
-        r2 = r18
-        call ball (r14)
+        r2 = r18 + volume_at
+        call volume (r14)
         r3 = meet_interval
         r4 - 0
         if (eq) goto meet_ends

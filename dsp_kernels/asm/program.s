@@ -1,7 +1,7 @@
 // The program of a pixel node: for each of its pixels eye rays, the first cell along each, its shade,
 // and the colour to the front buffer. As pixel_program() of dsp_kernels/pixel_program.hpp, bit for
-// bit, for what docs/dsp32.md, "The node program", says. Needs all files of this folder but box.s,
-// slab.s and heap.s.
+// bit, for what docs/dsp32.md, "The node program", says. Needs all files of this folder but heap.s, and
+// of volume_ball.s and volume_box.s one, with what it needs.
 //   share: which pixels, set by the host; the program returns when they are done
 //   r14    return address
 // What the emulator looks at, at these labels, takes no time of the node:
@@ -14,7 +14,7 @@ program:
         *program_link = r14
         call cell_heap_start (r14)
         nop
-        call read_scene (r14)
+        call read_volume (r14)
         nop
         r1 = *share_page
         r2 = *share_y

@@ -1,7 +1,9 @@
-// What a program keeps of the scene block in fast memory: one object, its ball, where its maps lie.
-// Needs scene_block.s.
+// What a program keeps of the scene block in fast memory: one object, the centre of its volume and
+// the word behind it, where its maps lie. Needs scene_block.s, and scene_volume of volume_ball.s or
+// volume_box.s.
+//   r1  -> the follow set's record, when it returns
 //   r14    return address
-//   changes r1 to r8, a0
+//   changes r1 to r5, a0
 read_scene:
         r1 = *block_objects
         r3 = block_pixel
@@ -45,7 +47,7 @@ scene_few_levels:
         r1 = r1 * 2
         r1 = r1 * 2
         r1 = r1 + block
-        r2 = scene_ball
+        r2 = scene_volume
         r3 = r1 + set_center
         *r2++ = a0 = *r3++
         *r2++ = a0 = *r3++
@@ -94,8 +96,6 @@ scene_detail:
         float 0.0
 scene_pixel:
         2*float 0.0
-scene_ball:
-        4*float 0.0
 scene_map_table:
         256*int 0
         .text

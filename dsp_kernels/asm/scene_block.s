@@ -28,6 +28,7 @@
 // A follow set.
 .equ set_map_count, 4
 .equ set_center, 12                     // then the radius
+.equ set_low, 24                        // then the high corner
 .equ set_diameter, 48
 .equ set_maps, 52
 // A map.

@@ -1,4 +1,4 @@
-// The first cell that a ray meets: Alg. 12.4 on one object with a complete graph and a ball, as
+// The first cell that a ray meets: Alg. 12.4 on one object with a complete graph and one volume, as
 // intersect() of dsp_kernels/intersect.hpp, bit for bit. Needs child.s, meet.s, cell_heap.s,
 // pixel_size.s, diameter.s and what they need; scene.s has its constants.
 //   search_ray: the ray, seven words
@@ -28,7 +28,7 @@ search_starts:
         r6 = cell_heap_new + 36
         *r6 = a0 = *r5
         r1 = cell_heap_new
-        r2 = scene_ball
+        r2 = scene_volume
         r3 = search_bounds
         call meet (r14)
         r4 = cell_heap_new + 28
@@ -111,7 +111,7 @@ search_map:
         call child (r14)
         r3 = cell_heap_new
         r1 = cell_heap_new
-        r2 = scene_ball
+        r2 = scene_volume
         r3 = cell_heap_top + 28
         call meet (r14)
         r4 = cell_heap_new + 28

@@ -1,7 +1,7 @@
 // Hierarchical shading (Ch. 17) with constant weights: the colour and the total normal of a cell, as
 // surface_at() of dsp_kernels/shade.hpp, bit for bit. The cells on the way to it are met again along
-// its word. Needs transform_ray.s, approach.s, ball.s, normalize.s, compose.s and what they need;
-// scene.s has its constants.
+// its word. Needs transform_ray.s, approach.s, normalize.s, compose.s, one of volume_ball.s and
+// volume_box.s, and what they need; scene.s has its constants.
 //   search_ray: the ray; cell_level and cell_word: the cell
 //   walk_color:  its colour, three words, there when the routine returns
 //   walk_normal: its total normal, a unit vector; there three instructions after the return
@@ -38,10 +38,10 @@ walk_copy:
 walk_cell:
         r1 = r19
         call approach (r14)
-        r2 = scene_ball
+        r2 = scene_volume
         r1 = r19
-        r2 = scene_ball
-        call ball (r14)
+        r2 = scene_volume + volume_at
+        call volume (r14)
         r3 = walk_interval
         r4 - 0
         if (eq) goto walk_not_met
@@ -51,14 +51,14 @@ walk_cell:
         r5 = *cell_level
         r6 = *walk_visited
         nop
-        if (agt) goto walk_add          // it enters the ball in front of the eye
-        nop
+        if (agt) goto volume_normal     // it enters the volume in front of the eye
+        r14 = walk_turn
         r5 - r21
         if (ne) goto walk_on
         r6 - 0
         if (ne) goto walk_on
-        nop
-        goto walk_add                   // the last one is around the eye: where it leaves the ball
+        r14 = walk_turn
+        goto volume_normal              // the last one is around the eye: where it leaves the volume
         r10 = r10 + 4
 walk_not_met:
         r5 = *cell_level
@@ -78,26 +78,8 @@ walk_not_met:
         *r3 = a2 = *r2 + a2
         goto walk_on
         nop
-walk_add:
-        r1 = r19 + 24                   // the base
-        r2 = r19 + 12
-        a1 = *r10 - *r1
-        r3 = r19
-        r4 = scene_ball
-        a2 = a1 * *r2++
-        a3 = a1 * *r2++
-        a0 = a1 * *r2
-        a2 = *r3++ + a2                 // the point
-        a3 = *r3++ + a3
-        a0 = *r3 + a0
-        r5 = walk_vector
-        *r5++ = a2 = -*r4++ + a2        // from the centre
-        *r5++ = a3 = -*r4++ + a3
-        *r5 = a0 = -*r4 + a0
-        r1 = walk_vector
-        call normalize (r14)
-        r2 = walk_vector
-        r1 = walk_vector
+walk_turn:
+        r1 = volume_vector
         r2 = walk_inverse
         r3 = walk_turned
         r15 = -8                        // back to the normal's first number
@@ -182,8 +164,6 @@ walk_color:
 walk_normal:
         3*float 0.0
 walk_sum:
-        3*float 0.0
-walk_vector:
         3*float 0.0
 walk_turned:
         3*float 0.0

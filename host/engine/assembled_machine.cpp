@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <numeric>
 #include <optional>
 
 #include "host/engine/assembled_node.hpp"
 #include "host/engine/engine.hpp"
+#include "host/engine/loaded_nodes.hpp"
 #include "host/engine/node_records.hpp"
+#include "host/engine/node_watch.hpp"
 #include "host/engine/overflow.hpp"
 #include "host/error.hpp"
 #include "host/node_program/assembled_program.hpp"
@@ -53,38 +54,13 @@ std::string why_stopped(NodeEvent event, const AssembledNode& node, int index, l
     }
 }
 
-class AssembledMachine : public LoadedScene {
+class AssembledMachine : public LoadedNodes {
   public:
     AssembledMachine(const CompiledScene& scene, const EngineChoice& choice)
-        : scene_(scene), choice_(choice) {
+        : LoadedNodes(scene, choice) {
         block_ = make_scene_block<dsp32::Float>(scene);
         require_known(scene, choice.numeric, block_.size());
         machine_.emplace(loaded_machine());
-    }
-
-    using LoadedScene::run;
-    EngineResult run(const CropWindow& window, const RunControl& control,
-                     const BlockTaker* taker) override {
-        const std::vector<UnitPixels> units = units_of(grid(window));
-        std::vector<std::size_t> all(units.size());
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        EngineResult result = run_nodes(window, {units, all, nullptr}, control);
-        if (!taker || result.stopped) return result;
-        PhaseClock clock;
-        taker->take(result.frame);
-        result.frame = {};
-        result.take_seconds = clock.lap();
-        return result;
-    }
-
-    [[nodiscard]] UnitGrid grid(const CropWindow& window) const override {
-        return {window, 0, 0, choice_.machine->columns, choice_.machine->rows};
-    }
-
-    UnitsRun run_units(const UnitGrid& grid, const UnitWork& work,
-                       const RunControl& control) override {
-        const EngineResult result = run_nodes(grid.window, work, control);
-        return {result.render_seconds, result.stopped};
     }
 
     [[nodiscard]] std::optional<MachineStatistics> machine() const override {
@@ -100,14 +76,14 @@ class AssembledMachine : public LoadedScene {
         EngineResult& result;
         std::vector<NodeStatistics> nodes;
         std::vector<std::string> stops;  // why a node stopped, by node
-        std::vector<bool> wanted;
-        std::size_t wanted_pixels = 0;
+        const WantedUnits wanted;
+        NodeWatch* const watch;
         std::atomic<std::size_t> pixels_done = 0;
         std::atomic<bool> stopped = false;
     };
 
     EngineResult run_nodes(const CropWindow& window, const UnitWork& work,
-                           const RunControl& control) {
+                           const RunControl& control) override {
         DspMachine machine = machine_ ? std::move(*machine_) : loaded_machine();
         machine_.reset();
         PhaseClock clock;
@@ -119,11 +95,8 @@ class AssembledMachine : public LoadedScene {
                 result,
                 std::vector<NodeStatistics>(count),
                 std::vector<std::string>(count),
-                std::vector<bool>(count)};
-        for (const std::size_t index : work.wanted) {
-            run.wanted[index] = true;
-            run.wanted_pixels += work.units[index].count();
-        }
+                WantedUnits(work, count),
+                NodeWatch::laid()};
         refuse(machine.run([&](DspNode& node) { run_node(node, run); }, choice_.threads),
                *choice_.machine);
         for (const std::string& why : run.stops)
@@ -143,7 +116,7 @@ class AssembledMachine : public LoadedScene {
         own.id = node.index();
         own.column = node.id().column;
         own.row = node.id().row;
-        if (!run.wanted[index] || run.stopped) return;
+        if (!run.wanted.units[index] || run.stopped) return;
         const UnitPixels& unit = run.work.units[index];
         if (unit.count() > 0 && !render_unit(node, unit, run)) return;
         if (!run.work.take) return;
@@ -162,7 +135,7 @@ class AssembledMachine : public LoadedScene {
         while (event == NodeEvent::working || event == NodeEvent::pixel) {
             if ((run.control.stop && *run.control.stop) || run.stopped) {
                 run.stopped = true;
-                return false;
+                break;
             }
             event = program.go_on();
             if (event != NodeEvent::pixel) continue;
@@ -174,44 +147,27 @@ class AssembledMachine : public LoadedScene {
                 x = unit.x0;
                 y += unit.step_y;
             }
-            tell_progress(run);
+            if (run.watch != nullptr) run.watch->tell(index, program.cycles());
+            tell_progress(run.control, ++run.pixels_done, run.wanted.pixels);
         }
+        own.instructions = program.instructions();
+        own.cycles = program.cycles();
         if (event != NodeEvent::done) {
             run.stops[index] = why_stopped(event, program, node.index(), x, y);
             run.stopped = true;
             return false;
         }
-        own.instructions = program.instructions();
-        own.cycles = program.cycles();
         // A pixel's cycles are those since the pixel before; the last one has the end, too.
         last->cycles += program.cycles_since_pixel();
         return true;
     }
 
-    static void tell_progress(Run& run) {
-        const std::size_t finished = ++run.pixels_done;
-        if (!run.control.progress || finished % 256 != 0) return;
-        run.control.progress(static_cast<double>(finished) /
-                             static_cast<double>(run.wanted_pixels));
-    }
-
     /// The memories; operations are not counted here, cycles are the processors' own.
     [[nodiscard]] MachineStatistics describe(DspMachine& machine) const {
-        MachineStatistics statistics;
-        statistics.costs = choice_.costs;
-        const auto use = [](MemoryUse& memory, const Bank& bank) {
-            memory.limit_bytes = bank.limit_bytes();
-            memory.used_bytes = std::max(memory.used_bytes, bank.used_bytes());
-        };
-        for (DspNode& node : machine.nodes()) {
-            use(statistics.front_buffer, node.front_buffer());
-            use(statistics.back_buffer, node.back_buffer());
-            use(statistics.zbuffer, node.zbuffer());
-            use(statistics.texture, node.texture());
-        }
+        MachineStatistics statistics = describe_machine(machine, choice_.costs);
+        const std::size_t words = assembled_program(scene_).words().size();
         statistics.fast_memory = {fast_memory_bytes,
-                                  static_cast<std::int64_t>(assembled_program().words().size()) *
-                                      static_cast<std::int64_t>(sizeof(dsp32::Word))};
+                                  static_cast<std::int64_t>(words * sizeof(dsp32::Word))};
         return statistics;
     }
 
@@ -225,8 +181,6 @@ class AssembledMachine : public LoadedScene {
         return machine;
     }
 
-    const CompiledScene& scene_;
-    EngineChoice choice_;
     std::optional<DspMachine> machine_;
 };
 

@@ -5,7 +5,6 @@
 
 #include "host/engine/overflow.hpp"
 #include "host/engine/word_hash.hpp"
-#include "host/node_program/assembled_program.hpp"
 #include "pxm/frame_buffer.hpp"
 
 namespace pxm::host {
@@ -23,14 +22,13 @@ constexpr std::uint32_t key_word = 7;  // of a cell: behind its ray
 
 AssembledNode::AssembledNode(dsp32::processor::ProcessorNode& node, const CompiledScene& scene,
                              const Model& model, const UnitPixels& unit)
-    : scene_(scene), processor_(node) {
-    const AssembledProgram& program = assembled_program();
-    stops_ = {program.address_of("program_sample_done"), program.address_of("program_next"),
-              program.address_of("cell_heap_full"), program.address_of("search_word_full")};
+    : scene_(scene), program_(assembled_program(scene)), processor_(node) {
+    stops_ = {program_.address_of("program_sample_done"), program_.address_of("program_next"),
+              program_.address_of("cell_heap_full"), program_.address_of("search_word_full")};
     const bool heap_fits = node.zbuffer().reserve(heap_bytes);
     assert(heap_fits);
     static_cast<void>(heap_fits);
-    const auto full = processor_.load(program.words());
+    const auto full = processor_.load(program_.words());
     assert(!full);
     static_cast<void>(full);
     const int width = static_cast<int>(scene.size.columns);
@@ -47,7 +45,7 @@ AssembledNode::AssembledNode(dsp32::processor::ProcessorNode& node, const Compil
     set_half("share_at", front_window + first % page_words * 4);
     set_half("share_skip_pages", skip / page_words);
     set_half("share_skip_bytes", skip % page_words * 4);
-    processor_.start(program.address_of("program"));
+    processor_.start(program_.address_of("program"));
 }
 
 NodeEvent AssembledNode::go_on(std::uint64_t instructions) {
@@ -118,14 +116,14 @@ void AssembledNode::take(PixelRecord& record, RayStatistics& counts) {
 }
 
 void AssembledNode::set_half(std::string_view label, long value) {
-    const std::uint32_t address = assembled_program().address_of(label);
+    const std::uint32_t address = program_.address_of(label);
     const unsigned shift = address % 4 * 8;
     dsp32::Word& word = processor_.fast_word(address);
     word = (word & ~(0xFFFFU << shift)) | (static_cast<std::uint32_t>(value) & 0xFFFFU) << shift;
 }
 
 dsp32::Word AssembledNode::word_at(std::string_view label, std::uint32_t index) {
-    return processor_.fast_word(assembled_program().address_of(label) + 4 * index);
+    return processor_.fast_word(program_.address_of(label) + 4 * index);
 }
 
 float AssembledNode::number_at(std::string_view label, std::uint32_t index) {

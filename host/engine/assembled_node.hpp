@@ -9,6 +9,7 @@
 #include "host/engine/frame.hpp"
 #include "host/engine/statistics.hpp"
 #include "host/engine/units.hpp"
+#include "host/node_program/assembled_program.hpp"
 #include "pxm/dsp32/processor/processor.hpp"
 
 namespace pxm::host {
@@ -67,6 +68,7 @@ class AssembledNode {
     [[nodiscard]] float number_at(std::string_view label, std::uint32_t index = 0);
 
     const CompiledScene& scene_;
+    const AssembledProgram& program_;
     dsp32::processor::Processor processor_;
     std::array<std::uint32_t, 4> stops_;  // labels that stand for the first events
     dsp32::processor::Stop stop_;

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 #include "host/engine/engine.hpp"
 #include "host/engine/gather.hpp"
+#include "host/engine/loaded_nodes.hpp"
 #include "host/engine/node_records.hpp"
 #include "host/engine/node_watch.hpp"
 #include "host/error.hpp"
@@ -48,29 +48,10 @@ NodeStatistics statistics_of(const Node<Real>& node, const RayStatistics& rays,
     return one;
 }
 
-/// Costs and memories.
-template <class Real>
-MachineStatistics describe(Machine<Real>& machine, const CostModel& costs) {
-    MachineStatistics statistics;
-    statistics.costs = costs;
-    const auto use = [](MemoryUse& memory, const Bank& bank) {
-        memory.limit_bytes = bank.limit_bytes();
-        memory.used_bytes = std::max(memory.used_bytes, bank.used_bytes());
-    };
-    for (Node<Real>& node : machine.nodes()) {
-        use(statistics.fast_memory, node.fast_memory());
-        use(statistics.front_buffer, node.front_buffer());
-        use(statistics.back_buffer, node.back_buffer());
-        use(statistics.zbuffer, node.zbuffer());
-        use(statistics.texture, node.texture());
-    }
-    return statistics;
-}
-
 template <class Real>
 MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistics>& rays,
                           const CostModel& costs) {
-    MachineStatistics statistics = describe(machine, costs);
+    MachineStatistics statistics = describe_machine(machine, costs);
     for (const Node<Real>& node : machine.nodes()) {
         statistics.tally.add(node.tally());
         statistics.nodes.push_back(
@@ -79,70 +60,23 @@ MachineStatistics collect(Machine<Real>& machine, const std::vector<RayStatistic
     return statistics;
 }
 
-/// Which units are wanted of a run, and how many pixels they have.
-struct WantedUnits {
-    std::vector<bool> units;
-    std::size_t pixels = 0;
-
-    WantedUnits(const UnitWork& work, std::size_t count) : units(count) {
-        for (const std::size_t index : work.wanted) {
-            units[index] = true;
-            pixels += work.units[index].count();
-        }
-    }
-};
-
 template <class Real, kernels::Features features>
-class LoadedMachine : public LoadedScene {
+class LoadedMachine : public LoadedNodes {
   public:
     LoadedMachine(const CompiledScene& scene, const EngineChoice& choice)
-        : scene_(scene), choice_(choice) {
+        : LoadedNodes(scene, choice) {
         block_ = make_scene_block<Real>(scene);
         machine_.emplace(loaded_machine());
     }
 
-    using LoadedScene::run;
-    EngineResult run(const CropWindow& window, const RunControl& control,
-                     const BlockTaker* taker) override {
-        const std::vector<UnitPixels> units = units_of(grid(window));
-        std::vector<std::size_t> all(units.size());
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        EngineResult result = run_nodes(window, {units, all, nullptr}, control);
-        if (!taker) return result;
-        // Of a run that was stopped, too: what the nodes have by then is a partial picture.
-        PhaseClock clock;
-        taker->take(result.frame);
-        result.frame = {};
-        result.take_seconds = clock.lap();
-        return result;
-    }
-
-    [[nodiscard]] UnitGrid grid(const CropWindow& window) const override {
-        return {window, 0, 0, choice_.machine->columns, choice_.machine->rows};
-    }
-
-    UnitsRun run_units(const UnitGrid& grid, const UnitWork& work,
-                       const RunControl& control) override {
-        const EngineResult result = run_nodes(grid.window, work, control);
-        return {result.render_seconds, result.stopped};
-    }
-
     [[nodiscard]] std::optional<MachineStatistics> machine() const override {
         Machine<Real> machine = loaded_machine();
-        return describe(machine, choice_.costs);
+        return describe_machine(machine, choice_.costs);
     }
 
   private:
-    /// Now and then.
-    static void tell_progress(const RunControl& control, std::size_t done, std::size_t all) {
-        if (control.progress && done % 256 == 0)
-            control.progress(static_cast<double>(done) / static_cast<double>(all));
-    }
-
-    /// Renders the pixels of the nodes that are wanted, and gives each node to `work.take`, if
-    /// there is one, when it is done.
     EngineResult run_nodes(const CropWindow& window, const UnitWork& work,
-                           const RunControl& control) {
+                           const RunControl& control) override {
         // Counts and memories are those of one run, so a further run is of another machine.
         Machine<Real> machine = machine_ ? std::move(*machine_) : loaded_machine();
         machine_.reset();
@@ -213,8 +147,6 @@ class LoadedMachine : public LoadedScene {
         return machine;
     }
 
-    const CompiledScene& scene_;
-    EngineChoice choice_;
     std::optional<Machine<Real>> machine_;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "host/node_program/steepness.hpp"
@@ -21,8 +22,9 @@ constexpr long most_pixels = 32'767;               // along an axis: a number of
 std::string beyond_in_shape(const CompiledShape& shape, bool steep) {
     if (shape.ifs.empty()) return "an object that is a volume";
     if (shape.sets.size() != 1) return "a graph that is not complete";
-    if (shape.sets.front().volume.kind != kernels::Volume::sphere)
-        return "a bounding volume that is no ball (--volume sphere)";
+    const kernels::Volume kind = shape.sets.front().volume.kind;
+    if (kind != kernels::Volume::sphere && kind != kernels::Volume::box)
+        return "a bounding volume that is no ball and no box in axes (--volume sphere, or box)";
     if (shape.maps.size() > most_maps) return "more than 256 maps";
     if (shape.lipschitz == kernels::Lipschitz::polar)
         return "Lipschitz constants by polar decomposition (--lipschitz product, or determinant)";
@@ -52,18 +54,37 @@ std::string beyond_in_image(const CompiledScene& scene, Numeric numeric) {
     return {};
 }
 
+/// Those that are not of the other kind of volume.
+std::vector<AssemblerSource> sources_for(kernels::Volume volume) {
+    constexpr std::array of_balls{"ball", "square_root", "volume_ball"};
+    constexpr std::array of_boxes{"box", "slab", "volume_box"};
+    const auto& others = volume == kernels::Volume::box ? of_balls : of_boxes;
+    std::vector<AssemblerSource> sources;
+    for (const AssemblerSource& source : assembler_sources())
+        if (std::ranges::find(others, source.name) == others.end()) sources.push_back(source);
+    return sources;
+}
+
+bool has_boxes(const CompiledScene& scene) {
+    if (scene.objects.empty()) return false;
+    const auto shape = static_cast<std::size_t>(scene.objects.front().shape);
+    const std::vector<CompiledSet>& sets = scene.shapes[shape].sets;
+    return !sets.empty() && sets.front().volume.kind == kernels::Volume::box;
+}
+
 }  // namespace
 
-AssembledProgram::AssembledProgram() {
+AssembledProgram::AssembledProgram(kernels::Volume volume) {
+    const std::vector<AssemblerSource> sources = sources_for(volume);
     std::string text;
-    for (const AssemblerSource& source : assembler_sources()) text += source.text;
+    for (const AssemblerSource& source : sources) text += source.text;
     const auto assembly = dsp32::assembler::assemble(text, dsp32::isa::Dialect::dsp32);
     assert(assembly.mistakes.empty() && !assembly.too_large());
     object_ = assembly.object;
     words_ = object_.text;
     words_.insert(words_.end(), object_.data.begin(), object_.data.end());
     int first_line = 1;
-    for (const AssemblerSource& source : assembler_sources()) {
+    for (const AssemblerSource& source : sources) {
         const int end = first_line + static_cast<int>(std::ranges::count(source.text, '\n'));
         add_source(source.name, assembly.placed, first_line, end);
         first_line = end;
@@ -98,9 +119,13 @@ std::uint32_t AssembledProgram::address_of(std::string_view label) const {
     return *address;
 }
 
-const AssembledProgram& assembled_program() {
-    static const AssembledProgram program;
-    return program;
+const AssembledProgram& assembled_program(const CompiledScene& scene) {
+    if (has_boxes(scene)) {
+        static const AssembledProgram boxes(kernels::Volume::box);
+        return boxes;
+    }
+    static const AssembledProgram balls(kernels::Volume::sphere);
+    return balls;
 }
 
 std::string beyond_assembled_program(const CompiledScene& scene, Numeric numeric,

@@ -21,12 +21,13 @@ struct AssemblerSource {
     std::string_view text;
 };
 
-/// Those that the node program is made of, in the order in which they lie in memory.
+/// Those that node programs are made of, in the order in which they lie in memory.
 [[nodiscard]] std::span<const AssemblerSource> assembler_sources();
 
 class AssembledProgram {
   public:
-    AssembledProgram();
+    /// With the sources that such volumes need. Precondition: spheres, or boxes in axes.
+    explicit AssembledProgram(kernels::Volume volume);
 
     /// Instructions, then data, as they lie in fast memory from address 0 on.
     [[nodiscard]] const std::vector<dsp32::Word>& words() const { return words_; }
@@ -53,8 +54,9 @@ class AssembledProgram {
     NodeProgram sizes_;
 };
 
-/// Assembled once.
-[[nodiscard]] const AssembledProgram& assembled_program();
+/// The program for a scene's first object, assembled once for its kind of volume; for balls where
+/// it has none of which there is a program.
+[[nodiscard]] const AssembledProgram& assembled_program(const CompiledScene& scene);
 
 /// The first thing that the scene has and the program does not know, as the end of a sentence;
 /// empty if there is none. `block_words`: of its scene block.

@@ -104,8 +104,9 @@ std::unique_ptr<StartedRender> start_render(const RenderRequest& request) {
     started->prepared = prepare(request);
     const Prepared& prepared = started->prepared;
     require_spared(request.outputs, inputs_of(prepared.scene));
-    const NodeProgram program =
-        request.code == NodeCode::assembled ? assembled_program().sizes() : link(prepared.compiled);
+    const NodeProgram program = request.code == NodeCode::assembled
+                                    ? assembled_program(prepared.compiled).sizes()
+                                    : link(prepared.compiled);
     if (request.machine) require_fit(program, std::string(request.machine->name));
     const IntersectChoice intersect = intersect_of(prepared, request);
     clear_overflow();  // of what the host computed

@@ -13,9 +13,9 @@ bool is_letter(char c) {
 }
 
 // The longer one first where one starts with another.
-constexpr std::array<std::string_view, 22> signs{">>>", "<<<", "++", "--", ">>", ">=", "&~", "+",
-                                                 "-",   "*",   "/",  "(",  ")",  "=",  ",",  ":",
-                                                 "#",   "&",   "^",  "|",  "@",  "\""};
+constexpr std::array<std::string_view, 24> signs{">>>", "<<<", "++", "--", ">>", ">=", "&~", ">",
+                                                 "<",   "+",   "-",  "*",  "/",  "(",  ")",  "=",
+                                                 ",",   ":",   "#",  "&",  "^",  "|",  "@",  "\""};
 
 class Lexer {
   public:

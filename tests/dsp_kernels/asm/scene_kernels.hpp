@@ -45,12 +45,10 @@ inline Cycles try_approach(std::uint64_t seed, int count) {
 
 inline Cycles try_child(std::uint64_t seed, int count) {
     Kernel kernel("child", {"scene_block", "child", "transform_ray"});
-    ProcessorNode node({}, 0);
     using Map = MapRecord<1>;
     constexpr std::uint32_t object = Map::words;
-    EXPECT_TRUE(node.back_buffer().reserve((Map::words + ObjectRecord<1>::words) * 4));
-    const auto shape = node.back_buffer().words();
-    std::ranges::fill(shape, dsp32::zero);
+    ShapedNode shaped(Map::words + ObjectRecord<1>::words);
+    auto& [node, shape] = shaped;
     dsp32::RandomWords words(seed);
     Cell<Float> parent, child;
     parent.object = object;
@@ -107,11 +105,10 @@ inline Cycles try_pixel_size(std::uint64_t seed, int count) {
 /// By product or by determinant: the method is in the constant.
 inline Cycles try_diameter(Lipschitz method, std::uint64_t seed, int count) {
     Kernel kernel("diameter", {"diameter"});
-    ProcessorNode node({}, 0);
     using Object = ObjectRecord<1>;
     using Set = FollowSetRecord<1>;
-    EXPECT_TRUE(node.back_buffer().reserve((Object::words + Set::words) * 4));
-    const auto shape = node.back_buffer().words();
+    ShapedNode shaped(Object::words + Set::words);
+    auto& [node, shape] = shaped;
     shape[Object::lipschitz] = static_cast<Word>(method);
     Cell<Float> cell;
     cell.follow_set = Object::words;
@@ -132,37 +129,57 @@ inline Word near_one(std::mt19937_64& engine, double size) {
     return Float(size * (static_cast<double>(engine() % 2'000'001) * 1e-6 - 1)).word();
 }
 
-inline Cycles try_meet(std::uint64_t seed, int count) {
-    Kernel kernel("meet", {"meet", "approach", "ball", "divide", "square_root"});
-    ProcessorNode node({}, 0);
-    using Set = FollowSetRecord<1>;
-    EXPECT_TRUE(node.back_buffer().reserve(Set::words * 4));
-    const auto shape = node.back_buffer().words();
-    shape[Set::volume] = static_cast<Word>(Volume::sphere);
+/// The kernel that meets cells with volumes of a kind, and what its C++ needs.
+struct Meetings {
+    explicit Meetings(Volume volume)
+        : kernel("meet",
+                 {"meet", "approach", "ball", "box", "slab", "divide", "reciprocal", "square_root"},
+                 volume == Volume::sphere ? ".equ volume, ball\n.equ volume_at, 0\n"
+                                          : ".equ volume, box\n.equ volume_at, 12\n"),
+          shaped(FollowSetRecord<1>::words) {
+        shaped.shape[FollowSetRecord<1>::volume] = static_cast<Word>(volume);
+        search.detail = search.fade = Float(1);
+    }
+    Kernel kernel;
+    ShapedNode shaped;
     Search<Float> search;
-    search.detail = search.fade = Float(1);
+};
+
+/// With the numbers of balls, or of boxes of any corners.
+inline Cycles try_meet(Volume volume, std::uint64_t seed, int count) {
+    using Set = FollowSetRecord<1>;
+    Meetings meetings(volume);
+    auto& [kernel, shaped, search] = meetings;
+    auto& [node, shape] = shaped;
     std::mt19937_64 engine(seed);
     int met = 0;
     for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
-        Word in[13];
-        for (int k = 0; k < 7; ++k) in[k] = near_one(engine, k < 3 ? 2 : 1);
-        for (int k = 7; k < 11; ++k) in[k] = near_one(engine, k < 10 ? 1 : 3);
-        in[11] = near_one(engine, 4);
-        in[12] =
-            (Float::from_word(in[11]) + absolute(Float::from_word(near_one(engine, 20)))).word();
-        for (std::uint32_t k = 0; k < 13; ++k) kernel.put(k, {in[k]});
-        for (std::uint32_t k = 0; k < 4; ++k) shape[Set::center + k] = in[7 + k];
-        kernel.put(13, {0x11, 0x22});
-        kernel.call({0, 7, 11, 13});
+        Word ray[7];
+        for (int k = 0; k < 7; ++k) ray[k] = near_one(engine, k < 3 ? 2 : 1);
+        put_ray(kernel, 0, ray_of(ray));
+        const auto numbers = shape.subspan(Set::center, 9);
+        for (std::uint32_t k = 0; k < 9; ++k) {
+            numbers[k] = near_one(engine, k < 3 ? 1 : 3);
+            // Corners are in order, most of them.
+            if (volume == Volume::box && k > 2 && i % 8 != 0) {
+                const Float size = absolute(Float::from_word(numbers[k]));
+                numbers[k] = (k < 6 ? Float(0) - size : size).word();
+            }
+            kernel.put(7 + k, {numbers[k]});
+        }
+        const Word from = near_one(engine, 4);
+        const Word to =
+            (Float::from_word(from) + absolute(Float::from_word(near_one(engine, 20)))).word();
+        kernel.put(16, {from, to, 0x11, 0x22});
+        kernel.call({0, 7, 16, 18});
         Cell<Float> cell;
-        cell.ray = ray_of(in);
-        const bool meets =
-            meet(node, search, cell, Float::from_word(in[11]), Float::from_word(in[12]));
+        cell.ray = ray_of(ray);
+        const bool meets = meet(node, search, cell, Float::from_word(from), Float::from_word(to));
         EXPECT_EQ(kernel.program.r(4), meets ? 1 : 0);
         expect_ray(kernel, 0, cell.ray);
         if (meets) {
-            EXPECT_EQ(kernel.at(13), cell.key.word());
-            EXPECT_EQ(kernel.at(14), cell.exit.word());
+            EXPECT_EQ(kernel.at(18), cell.key.word());
+            EXPECT_EQ(kernel.at(19), cell.exit.word());
         }
         met += meets ? 1 : 0;
     }
@@ -173,14 +190,10 @@ inline Cycles try_meet(std::uint64_t seed, int count) {
 
 /// Cells whose intervals are a point, or nearly: rounding decides (the end of meet()).
 inline void try_flat_meetings(std::uint64_t seed, int count) {
-    Kernel kernel("meet", {"meet", "approach", "ball", "divide", "square_root"});
-    ProcessorNode node({}, 0);
     using Set = FollowSetRecord<1>;
-    EXPECT_TRUE(node.back_buffer().reserve(Set::words * 4));
-    const auto shape = node.back_buffer().words();
-    shape[Set::volume] = static_cast<Word>(Volume::sphere);
-    Search<Float> search;
-    search.detail = search.fade = Float(1);
+    Meetings meetings(Volume::sphere);
+    auto& [kernel, shaped, search] = meetings;
+    auto& [node, shape] = shaped;
     std::mt19937_64 engine(seed);
     int point = 0, missed = 0;
     for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
@@ -213,11 +226,9 @@ inline void try_flat_meetings(std::uint64_t seed, int count) {
 inline Cycles try_eye_ray(std::uint64_t seed, int count) {
     Kernel kernel("eye_ray",
                   {"scene_block", "eye_ray", "normalize", "reciprocal", "reciprocal_square_root"});
-    ProcessorNode node({}, 0);
     using Header = HeaderRecord<1>;
-    for (ProcessorNode* each : {&node, &kernel.program.node})
-        EXPECT_TRUE(each->back_buffer().reserve((Header::words + 2) * 4));
-    const auto shape = node.back_buffer().words();
+    ShapedNode shaped(Header::words + 2);
+    auto& [node, shape] = shaped;
     shape[Header::projection] = static_cast<Word>(Projection::perspective);
     shape[Header::samples] = Header::words;
     std::mt19937_64 engine(seed);
@@ -225,7 +236,7 @@ inline Cycles try_eye_ray(std::uint64_t seed, int count) {
         for (std::uint32_t k = 0; k < 12; ++k) shape[Header::eye + k] = near_one(engine, 1);
         for (std::uint32_t k = 0; k < 2; ++k)
             shape[Header::words + k] = absolute(Float::from_word(near_one(engine, 1))).word();
-        std::ranges::copy(shape, kernel.program.node.back_buffer().words().begin());
+        shaped.copy_to(kernel.program.node);
         const auto x = static_cast<Word>(engine() % 1280), y = static_cast<Word>(engine() % 1024);
         kernel.put(0, {x | y << 16U, shape[Header::words], shape[Header::words + 1]});
         kernel.call({0, 1, 3});
@@ -237,14 +248,11 @@ inline Cycles try_eye_ray(std::uint64_t seed, int count) {
 /// Under one to four lights.
 inline Cycles try_lambert(std::uint64_t seed, int count) {
     Kernel kernel("lambert", {"scene_block", "lambert"});
-    ProcessorNode node({}, 0);
     using Header = HeaderRecord<1>;
     using Light = LightRecord<1>;
     constexpr std::uint32_t most_lights = 4;
-    for (ProcessorNode* each : {&node, &kernel.program.node})
-        EXPECT_TRUE(each->back_buffer().reserve((Header::words + most_lights * Light::words) * 4));
-    const auto shape = node.back_buffer().words();
-    std::ranges::fill(shape, 0U);
+    ShapedNode shaped(Header::words + most_lights * Light::words);
+    auto& [node, shape] = shaped;
     shape[Header::lights] = Header::words;
     std::mt19937_64 engine(seed);
     for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
@@ -253,7 +261,7 @@ inline Cycles try_lambert(std::uint64_t seed, int count) {
         for (std::uint32_t light = 0; light < most_lights; ++light)
             for (std::uint32_t k = 2; k < Light::words; ++k)
                 shape[Header::words + light * Light::words + k] = near_one(engine, 1);
-        std::ranges::copy(shape, kernel.program.node.back_buffer().words().begin());
+        shaped.copy_to(kernel.program.node);
         Word in[7];
         for (std::uint32_t k = 0; k < 7; ++k) kernel.put(k, {in[k] = near_one(engine, 1)});
         kernel.call({0, 3, 6, 7});

@@ -1,6 +1,7 @@
 // Laws of dsp_kernels/asm: kernels that work on cells and on the scene block leave the words that
 // their C++ leaves, and none of them reads anything before it is there.
 #include "tests/dsp_kernels/asm/scene_kernels.hpp"
+#include "tests/dsp_kernels/asm/walk_kernel.hpp"
 
 namespace pxm::kernels {
 namespace {
@@ -38,6 +39,8 @@ TEST(AsmKernels, fields_of_the_scene_block_lie_where_the_records_have_them) {
         {"set_map_count", 4 * Set::map_count},
         {"set_center", 4 * Set::center},
         {"set_center + 12", 4 * Set::radius},
+        {"set_low", 4 * Set::low},
+        {"set_low + 12", 4 * Set::high},
         {"set_diameter", 4 * Set::diameter},
         {"set_maps", 4 * Set::maps},
         {"map_inverse", 4 * Map::inverse},
@@ -70,8 +73,10 @@ TEST(AsmKernels, a_cell_is_as_large_as_by_the_kernel) {
     expect_row("diameter", words_of("diameter", {}), try_diameter(Lipschitz::product, 66, 5'000));
 }
 TEST(AsmKernels, a_cell_is_met_as_by_the_kernel) {
-    expect_row("meet", words_of("meet", {"approach", "ball"}), try_meet(67, 20'000));
+    expect_row("meet", words_of("meet", {"approach", "volume"}, ".equ volume_at, 0\n"),
+               try_meet(Volume::sphere, 67, 20'000));
 }
+TEST(AsmKernels, so_is_a_cell_with_a_box) { try_meet(Volume::box, 72, 20'000); }
 TEST(AsmKernels, rounding_decides_about_flat_cells_as_by_the_kernel) {
     try_flat_meetings(68, 5'000);
 }
@@ -82,6 +87,10 @@ TEST(AsmKernels, an_eye_ray_is_that_of_the_kernel) {
 TEST(AsmKernels, a_surface_is_lit_as_by_the_kernel) {
     const std::string block = text_of_kernel("scene_block");
     expect_row("lambert", words_of("lambert", {}, block), try_lambert(70, 10'000));
+}
+TEST(AsmKernels, a_cell_is_shaded_along_its_word_as_by_the_kernel) {
+    try_walk(Volume::sphere, 73, 5'000);
+    try_walk(Volume::box, 74, 5'000);
 }
 TEST(AsmKernels, a_heap_of_cells_with_words_is_ordered_as_by_the_kernel) {
     const HeapCycles cycles = try_cell_heap(71, 6'000);

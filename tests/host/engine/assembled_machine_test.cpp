@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "host/engine/assembled_node.hpp"
+#include "host/engine/engine.hpp"
 #include "host/node_program/assembled_program.hpp"
 #include "host/node_program/write_scene_block.hpp"
 #include "pxm/frame_buffer.hpp"
@@ -30,6 +32,20 @@ TEST(AssembledMachine, tetra_menger_and_elm_are_those_of_the_counted_kernels) {
 TEST(AssembledMachine, so_are_other_systems_of_maps) {
     for (const char* name : {"octo", "icos", "dodec", "twindragon", "fir"})
         expect_same(name, assembled("964dX", 16, 12));
+}
+
+TEST(AssembledMachine, so_are_systems_with_boxes) {
+    for (const char* name : {"menger", "tetra", "elm", "octo", "twindragon"}) {
+        RenderRequest request = assembled("964dX", 20, 15);
+        request.overrides.volume = VolumeKind::box;
+        expect_same(name, request);
+    }
+    // As the scene is, and from within.
+    RenderRequest request = test::on_machine("964dX", 20, 15);
+    request.code = NodeCode::assembled;
+    expect_same("menger", request);
+    request.overrides.zoom = 3;
+    expect_same("menger", request);
 }
 
 TEST(AssembledMachine, so_are_pictures_with_constants_by_determinant_samples_and_levels) {
@@ -134,8 +150,8 @@ TEST(AssembledMachine, what_the_program_does_not_know_is_refused) {
         return refused(tetra, request);
     };
     EXPECT_EQ(refused(tetra, plain), "");
-    EXPECT_EQ(with([](auto& o) { o.volume = VolumeKind::box; }),
-              "a bounding volume that is no ball (--volume sphere)");
+    EXPECT_EQ(with([](auto& o) { o.volume = VolumeKind::hull; }),
+              "a bounding volume that is no ball and no box in axes (--volume sphere, or box)");
     EXPECT_EQ(with([](auto& o) { o.lipschitz = LipschitzMethod::polar; }),
               "Lipschitz constants by polar decomposition (--lipschitz product, or determinant)");
     EXPECT_EQ(with([](auto& o) { o.numeric = Numeric::double_; }),
@@ -174,11 +190,36 @@ TEST(AssembledMachine, more_cells_than_the_heap_holds_stop_the_node) {
         << error;
 }
 
+TEST(AssembledMachine, what_it_has_when_it_is_stopped_is_a_part_of_the_picture) {
+    RenderRequest request;
+    request.scene_path = scene_file("tetra").string();
+    request.overrides.size = PixelSize{40, 30};
+    const CompiledScene scene = compiled_scene_of(request);
+    EngineChoice choice;
+    choice.machine = find_model("964dX");
+    choice.numeric = Numeric::dsp32;
+    choice.code = NodeCode::assembled;
+    std::atomic<bool> stop = false;
+    const RunControl control{&stop, [&](double) { stop = true; }};
+    const auto done = [](const Frame& frame) {
+        return std::ranges::count_if(frame.pixels, [](auto& pixel) { return pixel.cycles > 0; });
+    };
+    std::ptrdiff_t taken = 0;
+    const BlockTaker taker{[&](Frame& frame) { taken = done(frame); }};
+    const auto loaded = load_assembled_machine(scene, choice);
+    const EngineResult result = loaded->run(scene.crop, control, &taker);
+    EXPECT_TRUE(result.stopped);
+    EXPECT_GE(taken, 256);
+    EXPECT_LT(taken, 40 * 30);
+    EXPECT_GT(result.machine->nodes[0].cycles, 0U);
+}
+
 TEST(AssembledMachine, its_program_fits_the_fast_memory_and_says_of_what_it_is_made) {
     const RenderResult result = render_scene("tetra", assembled("964dX", 8, 8));
     const NodeProgram& program = result.statistics.program;
-    EXPECT_EQ(program.used_bytes(),
-              static_cast<std::int64_t>(assembled_program().words().size() * 4));
+    EXPECT_EQ(
+        program.used_bytes(),
+        static_cast<std::int64_t>(AssembledProgram(kernels::Volume::sphere).words().size() * 4));
     EXPECT_EQ(program.used_bytes(), result.statistics.machine->fast_memory.used_bytes);
     EXPECT_LT(program.used_bytes(), fast_memory_bytes);
     EXPECT_EQ(program.modules.front().name, "program");
@@ -186,6 +227,10 @@ TEST(AssembledMachine, its_program_fits_the_fast_memory_and_says_of_what_it_is_m
                                          program.used_bytes() / 1000, program.used_bytes() % 1000);
     const auto document = std::filesystem::path(test::source_dir) / "docs/machine.md";
     EXPECT_NE(test::text_of(document).find(said), std::string::npos) << said;
+    const std::size_t with_boxes = AssembledProgram(kernels::Volume::box).words().size() * 4;
+    const std::string also =
+        fmt::format("With boxes it takes {},{:03}.", with_boxes / 1000, with_boxes % 1000);
+    EXPECT_NE(test::text_of(document).find(also), std::string::npos) << also;
 }
 
 }  // namespace

@@ -87,17 +87,19 @@ TEST(Assembler, mistakes_have_a_line_a_column_and_a_reason) {
                     " *r15 = a0 = a1\n"
                     " r1 = *r2++r16 junk\n"
                     " r1 = here\n"
-                    " r1 = r2 + r3\n"),
+                    " r1 = r2 + r3\n"
+                    "x1: if (r2-- > 0) goto x1\n"),
         ElementsAre(
             "1:1: unknown instruction \"foo\"",
             "2:11: expected an accumulator or memory, found the end of the line",
             "3:11: what stands behind this sign is out of range: 3, allowed are 2 to 2",
             "4:7: the constant is out of range: 99999",
-            "5:7: a branch to 36864: the program's instructions are at 0 to 36, by four",
+            "5:7: a branch to 36864: the program's instructions are at 0 to 40, by four",
             "6:4: \"x\" is there twice", "6:7: unknown directive \".bar\"",
             "7:7: only the DSP32C has this instruction", "8:3: expected a pointer, r1 to r14",
             "9:16: expected the end of the line, found \"junk\"", "10:7: there is no \"here\"",
-            "11:2: here the result has to be one of the operands"));
+            "11:2: here the result has to be one of the operands",
+            "12:14: expected \">=\", found \">\""));
 }
 
 TEST(Assembler, what_the_dsp32c_added_is_switched_by_the_dialect) {

@@ -12,13 +12,12 @@ namespace pxm::dsp32::processor {
 
 class Program {
   public:
-    explicit Program(const std::string& source)
-        : object_(assembler::assemble(source, isa::Dialect::dsp32).object),
-          node({}, 7),
-          processor(node) {
-        for (const auto& mistake : assembler::assemble(source, isa::Dialect::dsp32).mistakes)
+    explicit Program(const std::string& source) : node({}, 7), processor(node) {
+        assembler::Assembly assembly = assembler::assemble(source, isa::Dialect::dsp32);
+        for (const auto& mistake : assembly.mistakes)
             ADD_FAILURE() << mistake.place.line << ":" << mistake.place.column << ": "
                           << mistake.message;
+        object_ = std::move(assembly.object);
         std::vector<Word> words = object_.text;
         words.insert(words.end(), object_.data.begin(), object_.data.end());
         EXPECT_FALSE(processor.load(words));
@@ -43,6 +42,7 @@ class Program {
     Word& word(const std::string& label, std::uint32_t index = 0) {
         return processor.fast_word(at(label) + 4 * index);
     }
+    [[nodiscard]] const assembler::Object& object() const { return object_; }
     [[nodiscard]] std::uint16_t r(unsigned code) const { return processor.register_value(code); }
     [[nodiscard]] Word a(std::size_t number) const { return store(processor.accumulator(number)); }
 
