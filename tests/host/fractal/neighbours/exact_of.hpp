@@ -6,10 +6,10 @@
 #include <string>
 
 #include "host/compile/proven_rifs.hpp"
+#include "host/flint/exact_scene.hpp"
 #include "host/fractal/bounds/bounds.hpp"
 #include "host/fractal/neighbours/exact_findings.hpp"
 #include "host/fractal/system/graph_facts.hpp"
-#include "host/flint/exact_scene.hpp"
 #include "host/scene/parse/parser.hpp"
 
 namespace pxm::test {
