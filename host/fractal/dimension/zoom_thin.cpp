@@ -15,7 +15,7 @@ namespace {
 
 constexpr double alike = 0.25;  // of a point's size: cells that differ by it are one
 constexpr std::size_t most_short = 5000;
-constexpr long most_visits = 400'000;  // of one step
+constexpr long most_divided = 400'000;  // of one step
 
 /// What a cell looks like, in units of what does not matter.
 struct Looks {
@@ -56,7 +56,7 @@ bool Zoom::divide_thin(double side, double largest, long& visits) {
     std::vector<Cell> open;
     for (const Cell& cell : around_)
         if (!is_away(cell, window)) open.push_back(cell);
-    long left = most_visits;
+    long left = most_divided;
     while (!open.empty()) {  // level by level: cells that look the same are of one level
         std::vector<Cell> next;
         std::unordered_map<Looks, std::size_t, Looks::Hash> known;

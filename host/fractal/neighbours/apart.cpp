@@ -13,7 +13,7 @@ namespace {
 using exact::BallEntries;
 using exact::RealBall;
 
-constexpr double margin = 2e-6;        // of radii, for bounds of rounded maps, and for rounding
+constexpr double wider = 2e-6;         // of radii, for bounds of rounded maps, and for rounding
 constexpr std::size_t work = 40'000;   // pairs of cells
 constexpr std::size_t least_work = 8;  // of a pair of maps
 
@@ -56,10 +56,10 @@ double stretch(const BallEntries& map) {
     return std::sqrt(std::min(largest, squares));
 }
 
-class Search {
+class ApartSearch {
   public:
-    Search(const exact::BallMaps& balls, const Rifs& rifs, const std::vector<Bounds>& bounds,
-           double smallest)
+    ApartSearch(const exact::BallMaps& balls, const Rifs& rifs, const std::vector<Bounds>& bounds,
+                double smallest)
         : balls_(balls), rifs_(rifs), bounds_(bounds), smallest_(smallest) {}
 
     PairsOfMaps run() {
@@ -93,13 +93,13 @@ class Search {
         result.set = set;
         result.center = image(map, b.ball.center);
         result.middle = image(map, (b.box.low + b.box.high) / 2.0);
-        result.radius = stretch(map) * b.ball.radius * (1 + margin);
+        result.radius = stretch(map) * b.ball.radius * (1 + wider);
         // The box of the rounded maps is short by no more than the ball.
-        const glm::dvec3 half = (b.box.high - b.box.low) / 2.0 + margin * b.ball.radius;
+        const glm::dvec3 half = (b.box.high - b.box.low) / 2.0 + wider * b.ball.radius;
         for (std::size_t r = 0; r < 3; ++r) {
             double sum = 0;
             for (std::size_t c = 0; c < 3; ++c) sum += map[r][c].most() * half[static_cast<int>(c)];
-            result.half[static_cast<int>(r)] = sum * (1 + margin);
+            result.half[static_cast<int>(r)] = sum * (1 + wider);
         }
         result.map = std::move(map);
         return result;
@@ -146,7 +146,7 @@ class Search {
 
 PairsOfMaps not_told_apart(const exact::BallMaps& balls, const Rifs& rifs,
                            const std::vector<Bounds>& bounds, double smallest) {
-    return Search(balls, rifs, bounds, smallest).run();
+    return ApartSearch(balls, rifs, bounds, smallest).run();
 }
 
 }  // namespace pxm::host

@@ -50,10 +50,10 @@ RealBall determinant(const BallEntries& m, const std::vector<std::size_t>& axes)
     return sum;
 }
 
-class Findings {
+class IntervalAnswers {
   public:
-    Findings(const exact::BallMaps& balls, const Rifs& rifs, const std::vector<Bounds>& bounds,
-             const std::string& numbers)
+    IntervalAnswers(const exact::BallMaps& balls, const Rifs& rifs,
+                    const std::vector<Bounds>& bounds, const std::string& numbers)
         : balls_(balls), rifs_(rifs), bounds_(bounds), axes_(axes_of(balls)) {
         found_.interval_digits = exact::digits_of(balls);
         by_ = fmt::format(", in intervals of {} digits", found_.interval_digits);
@@ -269,7 +269,7 @@ class Findings {
 
 ExactFindings find_by_intervals(const exact::BallMaps& balls, const Rifs& rifs,
                                 const std::vector<Bounds>& bounds, const std::string& numbers) {
-    return Findings(balls, rifs, bounds, numbers).run();
+    return IntervalAnswers(balls, rifs, bounds, numbers).run();
 }
 
 }  // namespace pxm::host
