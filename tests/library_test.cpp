@@ -50,7 +50,7 @@ TEST(Library, the_example_in_the_documents_shows_what_the_text_of_its_system_sho
 TEST(Library, the_example_that_changes_a_map_shows_both_scenes_and_ends_a_render) {
     const Folder folder;
     const std::string example = binary.substr(0, binary.rfind('/')) + "/change_a_map";
-    const Outcome run = Process(folder, example, {}, {}).wait(60);
+    const Outcome run = Process(folder, example, {}, {}).wait(300);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_THAT(run.err, testing::HasSubstr("\r100 %"));
     static const std::regex told(

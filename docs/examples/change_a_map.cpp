@@ -14,18 +14,19 @@ using namespace pxm::host;
 
 namespace {
 
-RenderResult rendered(const Scene& scene, PixelSize size, const RunControl& control) {
+RenderResult rendered(const Scene& scene, long samples, const RunControl& control) {
     RenderRequest request;
     request.scene_path = "tetra";  // what messages call it
     request.scene = scene;
-    request.overrides.size = size;
+    request.overrides.size = PixelSize{96, 72};
+    request.overrides.samples = samples;
     return render(request, control);
 }
 
 void tell(const char* when, const Scene& scene) {
     RunControl control;
     control.progress = [](double share) { std::fprintf(stderr, "\r%3.0f %%", 100 * share); };
-    const RenderResult result = rendered(scene, PixelSize{96, 72}, control);
+    const RenderResult result = rendered(scene, 1, control);
     const std::span<const PixelRecord> pixels = result.frame.pixels;
     long hits = 0, faces = 0, whole = 0;
     for (const PixelRecord& pixel : pixels) {
@@ -55,7 +56,7 @@ int main() {
         RunControl control;
         control.stop = &stop;
         control.progress = [&](double) { stop = true; };
-        const bool stopped = rendered(scene, PixelSize{4096, 4096}, control).stopped;
+        const bool stopped = rendered(scene, 65536, control).stopped;
         std::printf("%s\n", stopped ? "stopped" : "went on to its end");
     } catch (const Error& error) {
         std::fprintf(stderr, "%s\n", error.what());
