@@ -38,7 +38,7 @@ struct alignas(64) PixelRecord {
     std::int32_t level = -1;                           // how many maps deep the terminal cell is
     std::uint32_t word = 0;     // 24-bit hash of the terminal cell's word, never 0 on a hit
     std::uint32_t volumes = 0;  // volumes tested
-    std::uint64_t cycles = 0;   // instruction cycles of 200 ns; machine only
+    std::uint64_t cycles = 0;   // of 200 ns on the machine; natively what --aov neighbours asks for
     std::uint32_t heap = 0;     // most cells in the heap
     std::uint16_t node = 0;     // row * columns + column of the node that owns the pixel
     std::uint8_t alarms = 0;    // bits of PixelAlarm

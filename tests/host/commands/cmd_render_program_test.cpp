@@ -52,9 +52,10 @@ TEST_F(RenderProgram, what_only_the_counted_kernels_have_is_refused) {
 }
 
 TEST_F(RenderProgram, a_scene_that_it_does_not_know_is_refused_and_nothing_is_written) {
-    expect_refusal(folder, machine({"--program", "asm", "--volume", "box"}), 3,
-                   "--program asm: the scene has a bounding volume that is no ball (--volume "
-                   "sphere); what the program knows: docs/dsp32.md, \"The node program\"");
+    expect_refusal(folder, machine({"--program", "asm", "--volume", "hull"}), 3,
+                   "--program asm: the scene has a bounding volume that is no ball and no box in "
+                   "axes (--volume sphere, or box); what the program knows: docs/dsp32.md, \"The "
+                   "node program\"");
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(Image, an_exr_gives_back_every_channel_and_the_metadata) {
     const LoadedImage a = read_image(folder.path("a.exr"));
     ASSERT_EQ(a.width, 3);
     ASSERT_EQ(a.height, 2);
-    EXPECT_EQ(a.channels.size(), 4 + 9 + 3U);
+    EXPECT_EQ(a.channels.size(), 4 + 10 + 3U);
     for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
         const PixelRecord& pixel = frame.pixels[i];
         const auto at = [&](const char* name) {
