@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class RoundTrip : public testing::Test {
+class SystemsOut : public testing::Test {
   protected:
     /// The scene that comes back, without the comment that heads it; empty if the format cannot
     /// hold the scene.
@@ -43,7 +43,7 @@ class RoundTrip : public testing::Test {
     Folder folder;
 };
 
-TEST_F(RoundTrip, of_every_scene_stays_what_it_became) {
+TEST_F(SystemsOut, of_every_scene_stays_what_it_became) {
     int kept = 0;
     const fs::path scenes = fs::path(source_dir) / "scenes";
     for (const auto& entry : fs::recursive_directory_iterator(scenes)) {
@@ -72,7 +72,7 @@ std::string plane_scene(std::mt19937& random) {
     return text + "}\n";
 }
 
-TEST_F(RoundTrip, of_random_systems_gives_the_same_bytes) {
+TEST_F(SystemsOut, of_random_systems_gives_the_same_bytes) {
     std::mt19937 random(20);
     int shown = 0;
     for (int i = 0; i < 40; ++i) {
@@ -90,7 +90,7 @@ TEST_F(RoundTrip, of_random_systems_gives_the_same_bytes) {
 }
 
 /// Space: maps that turn, stretch and mirror, with the camera that the scene has.
-TEST_F(RoundTrip, of_random_solids_gives_the_same_bytes) {
+TEST_F(SystemsOut, of_random_solids_gives_the_same_bytes) {
     std::mt19937 random(21);
     std::uniform_real_distribution<double> number(-0.3, 0.3);
     const auto vector = [&](double scale) {
