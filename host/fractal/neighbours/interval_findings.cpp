@@ -99,6 +99,7 @@ class IntervalAnswers {
     void add_images() {
         if (apart_) {
             found_.finite = {true, "no two images have a common point" + by_};
+            found_.own.resize(rifs_.follow_sets.size());
             found_.overlaps = {false, "no two images have a common point" + by_};
             found_.totally_disconnected = {true, "no two images have a common point" + by_};
         } else {

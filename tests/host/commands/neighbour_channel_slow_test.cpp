@@ -77,10 +77,19 @@ TEST_F(NeighbourChannel, what_shows_no_cell_has_none) {
         EXPECT_EQ(a.at(i, a.channel("neighbours.V")) > 0, a.at(i, a.channel("word.V")) > 0);
 }
 
-TEST_F(NeighbourChannel, where_there_is_no_finite_graph_it_says_why) {
+TEST_F(NeighbourChannel, cells_that_are_proven_apart_by_intervals_have_no_neighbours) {
     folder.write("a.pxm", "ifs a { newmap scale: 1/pi newmap scale: 1/pi translate: 1,0,0 }\n");
+    const Outcome made =
+        run(folder, {"render", "a.pxm", "-o", "a.exr", "--aov", "neighbours", "--size", "16x12"});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_TRUE(folder.has("a.exr"));
+}
+
+TEST_F(NeighbourChannel, where_there_is_no_finite_graph_it_says_why) {
+    folder.write("a.pxm", "ifs a { newmap scale: 2/pi newmap scale: 2/pi translate: 0.3,0,0 }\n");
     expect_refusal(folder, {"render", "a.pxm", "-o", "a.exr", "--aov", "neighbours"}, 2,
-                   "--aov neighbours: ifs a: no exact numbers: pi is in no number field");
+                   "--aov neighbours: ifs a: the images of map 1 and map 2 were not told apart, in "
+                   "intervals of 60 digits, which do not decide equality");
     EXPECT_FALSE(folder.has("a.exr"));
     folder.write("a.pxm", "ifs a { newmap scale: 3/4 newmap scale: 3/4 translate: 1/4,0,0 }\n");
     expect_refusal(folder, {"render", "a.pxm", "-o", "a.exr", "--aov", "neighbours"}, 2,
