@@ -11,6 +11,22 @@ namespace {
 
 constexpr double whole_limit = 1e15;  // every whole number up to here is a double
 
+/// Whether key(...) is next, and nothing is computed of it.
+bool is_key_alone(const TokenReader& tokens) {
+    if (!tokens.peek().is_word("key") || !tokens.peek_second().is('(')) return false;
+    TokenReader ahead = tokens;
+    ahead.take();
+    long depth = 0;
+    do {
+        const Token token = ahead.take();
+        if (token.kind == TokenKind::end) return true;  // said where it is read
+        if (token.is('(')) ++depth;
+        if (token.is(')')) --depth;
+    } while (depth > 0);
+    const Token& behind = ahead.peek();
+    return !behind.is('+') && !behind.is('-') && !behind.is('*') && !behind.is('/');
+}
+
 }  // namespace
 
 long ValueReader::whole_number() {
@@ -34,7 +50,8 @@ Decimal ValueReader::decimal() {
 }
 
 double ValueReader::magnification() {
-    if (!tokens_.peek().is_word("key") || !tokens_.peek_second().is('(')) return number();
+    // Keys within a larger expression are as those of all numbers.
+    if (!is_key_alone(tokens_)) return number();
     tokens_.take();
     return read_keys<1>(
         tokens_, Interpolation::exponential, [&] { return std::array{number()}; },

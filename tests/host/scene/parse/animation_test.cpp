@@ -136,6 +136,10 @@ TEST(Zoom, goes_exponentially_by_its_keys) {
     const std::string text =
         std::string(film) + half + "camera { zoom: key(t: 0 -> 1, 1 -> 1e30) }";
     EXPECT_NEAR(*read(text, 5).scene.camera->zoom / 1e15, 1, 1e-9);
+    // What is computed of keys is as everywhere.
+    const std::string twice =
+        std::string(film) + half + "camera { zoom: key(t: 0 -> 1, 1 -> 3, linear) * 2 }";
+    EXPECT_NEAR(*read(twice, 5).scene.camera->zoom, 4, 1e-9);
     EXPECT_EQ(mistake(std::string(film) + half + "camera { zoom: key(t: 0 -> 0, 1 -> 9) }"),
               "s.pxm:3:28: error: a value that goes exponentially is greater than 0");
 }
