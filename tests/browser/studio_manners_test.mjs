@@ -277,6 +277,70 @@ const tests = {
     assert.deepEqual(readdirSync(studio.folder).filter(file => /slow|many|out/.test(file)), []);
     return opened;
   },
+
+  async nothing_that_is_not_saved_is_lost_when_one_begins_anew() {
+    const opened = await openPage(context, studio.address);
+    const { page } = opened;
+    const gallery = async () => { await page.click('#home'); await page.waitForSelector('#gallery:not([hidden])'); };
+    const shows = async name => { await page.waitForFunction(n => window.studio?.name === n, name); await settled(page); };
+    await page.waitForSelector('#shipped-cards button');
+    assert.ok(await page.isHidden('#unsaved'));
+    await page.click('#new');
+    await shows('mine.pxm');
+    const blank = await textOf(page);
+    await page.click('.map-title >> nth=0');
+    await page.fill('[aria-label="scale"]', '0.7');
+    await page.evaluate(() => studio.editEnds());
+    await page.fill('[aria-label="translate y"]', '0.25');
+    const worked = await textOf(page);
+    await gallery();
+    assert.deepEqual(await page.$$eval('#unsaved-cards button', all => all.map(e => e.title)), ['mine.pxm']);
+    await page.click('#new');
+    await shows('mine_2.pxm');
+    assert.equal(await textOf(page), blank);
+    assert.match(await page.textContent('#toast'), /mine\.pxm is not saved yet/);
+    // Another scene, and a file that is dropped, of a name that is taken.
+    await gallery();
+    await page.click('#own-cards [title="tetra.pxm"]');
+    await shows('tetra.pxm');
+    const drop = text => page.evaluate(words => {
+      const data = new DataTransfer();
+      data.items.add(new File([words], 'mine.pxm'));
+      window.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+    }, text);
+    const brought = readFileSync(new URL('fir.pxm', scenes), 'utf8');
+    await drop(brought);
+    await shows('mine_2.pxm');
+    assert.equal(await textOf(page), brought);
+    await page.waitForFunction(() => location.hash.includes('mine_2'));
+    await page.goBack();
+    await shows('tetra.pxm');
+    await page.goForward();
+    await shows('mine_2.pxm');
+    assert.equal(await textOf(page), brought, 'what was brought is not saved either');
+    // It is there as it was left, and so are its undo steps; after a reload of the tab, its text.
+    await gallery();
+    await page.click('#unsaved-cards [title="mine.pxm"]');
+    await shows('mine.pxm');
+    assert.equal(await textOf(page), worked);
+    await page.click('#undo');
+    assert.match(await textOf(page), /scale: 0\.7 translate: 0,0\.5,0/);
+    await page.click('#undo');
+    assert.equal(await textOf(page), blank);
+    await page.click('#redo');
+    await page.click('#redo');
+    await gallery();
+    await page.reload();
+    await page.click('#unsaved-cards [title="mine.pxm"]');
+    await shows('mine.pxm');
+    assert.equal(await textOf(page), worked);
+    await page.click('#save');
+    await page.click('#save-form button.main');
+    await page.waitForFunction(() => !studio.shipped);
+    await gallery();
+    assert.deepEqual(await page.$$eval('#unsaved-cards button', all => all.map(e => e.title)), ['mine_2.pxm']);
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

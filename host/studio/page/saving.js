@@ -9,7 +9,7 @@ async function saveAs(studio, name, seen) {
     const answer = await server.save(name, studio.text, seen);
     if (!answer.saved) return false;
     studio.saved = studio.text;
-    sessionStorage.removeItem(studio.place.keptAs());
+    studio.place.unsaved.forget(studio.place.keptAs());
     Object.assign(studio, { name, shipped: false, digest: answer.digest });
     studio.place.saved(name);
     studio.drawName();
