@@ -341,6 +341,63 @@ const tests = {
     assert.deepEqual(await page.$$eval('#unsaved-cards button', all => all.map(e => e.title)), ['mine_2.pxm']);
     return opened;
   },
+
+  async a_field_of_one_number_takes_one_number() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    await page.evaluate(() => studio.edit('ifs a {\n    newmap scale: 0.5 rotate: y,30 translate: -0.3,0.4,0\n    newmap scale: 0.4\n}\n'));
+    await page.click('.map-title >> nth=0');
+    const [x, axis, weight] = ['[aria-label="translate x"]', '[aria-label="rotate axis"]', '[placeholder="auto"]'];
+    const has = async line => assert.equal((await textOf(page)).split('\n')[1].trim(), line);
+    const leave = () => page.focus('#tab-maps');
+    // A decimal comma is a point, while it is typed and afterwards.
+    await page.focus(x);
+    for (const key of ['0', ',', '2', '5']) { await press(page, key); assert.equal(await page.getAttribute(x, 'aria-invalid'), null); }
+    await has('newmap scale: 0.5 rotate: y,30 translate: 0.25,0.4,0');
+    await leave();
+    assert.equal(await page.inputValue(x), '0.25');
+    // What is not one value is refused where it stands, and said.
+    for (const wrong of ['0.1,0.2,0.3', '1 # 2', 'sqrt(2', '1)', '0.3 scale: 2', '1 }', '"a"', '(1,2),3']) {
+      await page.fill(x, wrong);
+      assert.equal(await page.getAttribute(x, 'aria-invalid'), 'true', wrong);
+      await has('newmap scale: 0.5 rotate: y,30 translate: 0.25,0.4,0');
+    }
+    await leave();
+    assert.equal(await page.inputValue(x), '0.25');
+    assert.match(await page.textContent('#toast'), /“\(1,2\),3” is not one number/);
+    await page.fill(x, '-sqrt(0,5)');
+    await page.fill(x, '-(1+sqrt(4))/10');
+    await has('newmap scale: 0.5 rotate: y,30 translate: -(1+sqrt(4))/10,0.4,0');
+    await page.fill(x, '-0,3');
+    await page.focus(weight);
+    for (const key of ['1', ',', '5']) await press(page, key);  // the row is made anew under the first of them
+    await has('newmap scale: 0.5 rotate: y,30 translate: -0.3,0.4,0 weight: 1.5');
+    await page.fill(weight, '');
+    await has('newmap scale: 0.5 rotate: y,30 translate: -0.3,0.4,0');
+    // One types over the whole: with focus by key, by a click, and with a double click.
+    await leave();
+    for (const select of [() => page.focus(x), () => page.click(x), async () => { await page.click(x); await page.dblclick(x); }]) {
+      await page.fill(x, '-0.3');
+      await leave();
+      await select();
+      await page.keyboard.type('0.4');
+      await has('newmap scale: 0.5 rotate: y,30 translate: 0.4,0.4,0');
+    }
+    await page.click(axis);
+    await press(page, 'z');
+    await has('newmap scale: 0.5 rotate: z,30 translate: 0.4,0.4,0');
+    await page.fill(axis, 'yz');
+    await has('newmap scale: 0.5 rotate: z,30 translate: 0.4,0.4,0');
+    await leave();
+    assert.equal(await page.inputValue(axis), 'z');
+    // A second click puts the caret somewhere, as anywhere.
+    await page.click(x);
+    await page.waitForTimeout(700);
+    await page.click(x, { position: { x: 3, y: 8 } });
+    assert.equal(await page.$eval(x, e => e.selectionEnd - e.selectionStart), 0);
+    await settled(page);
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

@@ -4,6 +4,7 @@ import { element, number } from './elements.js';
 import { graphOf, withoutMap, withRulesOfCopy } from './graph_edits.js';
 import { graphPanel } from './graph_panel.js';
 import * as edits from './map_edits.js';
+import { oneAxis, oneValue, takesOne } from './number_field.js';
 import { outlineOf, valueOf } from './scene_tokens.js';
 import { lipschitz } from './vectors.js';
 
@@ -11,6 +12,7 @@ const labels = { scale: ['x', 'y', 'z'], translate: ['x', 'y', 'z'], rotate: [''
 const pixel_steps = { scale: 0.005, translate: 0.005, rotate: 0.5, matrix: 0.005 };
 
 const hex = c => '#' + c.map(x => Math.round(255 * Math.min(1, Math.max(0, x))).toString(16).padStart(2, '0')).join('');
+const weightOf = map => map?.directives.find(d => d.word === 'weight')?.args[0]?.text ?? '';
 const fromHex = text => [1, 3, 5].map(i => Number((parseInt(text.slice(i, i + 2), 16) / 255).toFixed(3)));
 
 export class MapsPanel {
@@ -26,17 +28,21 @@ export class MapsPanel {
     const shape = JSON.stringify([ifs, map, outline.ifs.map(block => [block.name, block.maps.map(m =>
       [m.name, m.directives.map(d => [d.word, d.args.length])]), graphOf(block, this.text()).allowed])]);
     if (shape !== this.shape) {
-      const { key: focus, node } = document.activeElement?.dataset ?? {};
+      const { dataset, selectionStart, selectionEnd } = document.activeElement ?? {};
+      const { key: focus, node } = dataset ?? {};
       this.shape = shape;
       this.rebuild();
-      if (focus) this.place.querySelector(`[data-key="${focus}"]`)?.focus();
-      else if (node) this.place.querySelector(`[data-node="${node}"]`)?.focus();
+      this.refresh();
+      const again = focus ? this.find(focus) : node ? this.place.querySelector(`[data-node="${node}"]`) : null;
+      again?.focus();
+      if (again?.type === 'text' && Number.isInteger(selectionStart)) again.setSelectionRange(selectionStart, selectionEnd);
     }
     this.refresh();
   }
 
   block() { const { outline, ifs } = this.scene(); return outline.ifs[ifs]; }
   mapAt(index) { return this.block().maps[index]; }
+  stepsAt(index) { const map = this.block()?.maps[index]; return map ? edits.stepsOf(map) : []; }
   text() { return this.scene().text; }
 
   rebuild() {
@@ -139,9 +145,12 @@ export class MapsPanel {
     const step_now = () => edits.stepsOf(this.mapAt(index))[s];
     const put = (value, kind) => this.edit(edits.setArgument(this.text(), step_now(), a, value), kind);
     const kind = `${index}.${s}.${a}`;
+    const axis = step.word === 'rotate' && a === 0;
     const input = element('input', { 'data-key': kind, 'data-arg': kind, size: 6, spellcheck: 'false', autocomplete: 'off',
-      'aria-label': `${step.word} ${spoken}`.trim(), class: step.word === 'rotate' && a === 0 ? 'axis' : '', oninput: e => { if (e.target.value.trim()) put(e.target.value, kind); },
+      'aria-label': `${step.word} ${spoken}`.trim(), class: axis ? 'axis' : '',
       onkeydown: e => this.nudge(e, step, put, kind) });
+    const read = axis ? oneAxis : step.word in labels || step.word === 'matrix' ? oneValue : typed => typed.trim() || null;
+    takesOne(input, read, value => put(value, kind), () => this.stepsAt(index)[s]?.args[a]?.text);
     const label = element('label', { class: 'value' }, element('span', { class: 'scrub', title: 'Drag sideways' }, name || (step.word === 'rotate' ? '' : '↔')), input);
     this.scrub(label.firstChild, () => valueOf(step_now().args[a].text, this.scene().lets), pixel_steps[step.word], x => put(edits.short(x), kind));
     return label;
@@ -150,7 +159,7 @@ export class MapsPanel {
   /// Up and down change a number a little.
   nudge(event, step, put, kind) {
     const sign = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-    const value = valueOf(event.target.value, this.scene().lets);
+    const value = valueOf(oneValue(event.target.value) ?? '', this.scene().lets);
     if (!sign || !pixel_steps[step.word] || !Number.isFinite(value)) return;
     event.preventDefault();
     const next = edits.short(value + sign * pixel_steps[step.word] * (event.shiftKey ? 10 : 2));
@@ -188,8 +197,15 @@ export class MapsPanel {
       } })),
       element('label', { class: 'note' }, 'how much ', element('input', { type: 'range', min: 0, max: 1, step: 0.05, 'data-key': `${index}.share`,
         oninput: () => this.edit(color(), `${index}.color`) })),
-      element('label', { class: 'note', title: 'How often the chaos game takes it; pictures do not change' }, 'weight ', element('input', { size: 4, placeholder: 'auto', 'data-key': `${index}.weight`, autocomplete: 'off',
-        oninput: e => this.edit(edits.setOnce(this.text(), this.mapAt(index), 'weight', e.target.value.trim()), `${index}.weight`) })));
+      element('label', { class: 'note', title: 'How often the chaos game takes it; pictures do not change' }, 'weight ', this.weight(index)));
+  }
+
+  weight(index) {
+    const key = `${index}.weight`;
+    return takesOne(element('input', { size: 4, placeholder: 'auto', 'data-key': key, autocomplete: 'off' }),
+      typed => (typed.trim() ? oneValue(typed) : ''),
+      value => this.edit(edits.setOnce(this.text(), this.mapAt(index), 'weight', value), key),
+      () => weightOf(this.block()?.maps[index]));
   }
 
   find(key) { return this.place.querySelector(`[data-key="${key}"]`); }
@@ -225,6 +241,6 @@ export class MapsPanel {
     const color = map.directives.find(d => d.word === 'color')?.args.map(a => valueOf(a.text, this.scene().lets));
     put(`${index}.color`, hex(this.colorOf(map)));
     put(`${index}.share`, String(color?.[3] ?? 0));
-    put(`${index}.weight`, map.directives.find(d => d.word === 'weight')?.args[0]?.text ?? '');
+    put(`${index}.weight`, weightOf(map));
   }
 }
