@@ -398,6 +398,34 @@ const tests = {
     await settled(page);
     return opened;
   },
+
+  async a_png_says_what_was_saved_and_that_one_has_to_wait() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const says = text => page.waitForFunction(words => document.querySelector('#toast.shown')?.textContent.match(words), text);
+    const size = await page.evaluate(() => `${studio.finished().columns}×${studio.finished().rows}`);
+    let download = page.waitForEvent('download');
+    await page.click('#png');
+    assert.equal((await download).suggestedFilename(), 'tetra.png');
+    await says(`^tetra\\.png is among your downloads: ${size} pixels\\.$`);
+    let go;
+    const held = new Promise(done => { go = done; });
+    await page.route('**/api/png', async route => { await held; await route.continue(); });
+    download = page.waitForEvent('download');
+    await page.click('#png');
+    await says('^tetra\\.png is saved as soon as the picture is there');
+    await page.waitForTimeout(3500);
+    assert.ok(await page.isVisible('#toast.shown'), 'it says so as long as one waits');
+    go();
+    await download;
+    await says('^tetra\\.png is among your downloads');
+    await page.click('#tab-text');
+    await page.fill('#text', 'ifs {');
+    await page.waitForSelector('#mistakes .mistake');
+    await page.click('#png');
+    await says('It is the last one without mistakes');
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).
