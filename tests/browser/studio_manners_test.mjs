@@ -426,6 +426,79 @@ const tests = {
     await says('It is the last one without mistakes');
     return opened;
   },
+
+  async the_way_to_a_plant_stays_folded_and_says_what_surprises() {
+    const opened = await openPage(context, studio.address);
+    const { page } = opened;
+    await page.click('#new');
+    await settled(page);
+    const open = () => page.$eval('.hint', e => e.open);
+    const hint = await page.textContent('.hint');
+    for (const said of ['what is flat turns about z', 'mirrored copy, Map 3', 'turns the steps of its map into one tetrahedron; undo']) assert.ok(hint.includes(said), said);
+    assert.ok(await open());
+    await page.click('.hint summary');
+    await page.waitForFunction(() => sessionStorage.getItem('pxm-hint-folded') === 'yes');
+    await page.click('.map-title >> nth=0');
+    await page.click('.adder >> text=rotate');
+    assert.ok(!await open(), 'it is made anew, and stays folded');
+    assert.match(await textOf(page), /newmap scale: 0\.6 translate: 0,0\.5,0 rotate: z,30/);
+    // What it says of Mirror and of a corner is so.
+    const before = await textOf(page);
+    await page.click('.map-title >> nth=1');
+    await page.click('.card.open button:text-is("Mirror")');
+    assert.equal((await page.$$('.card')).length, 3);
+    await page.click('#undo');
+    await page.click('.map-title >> nth=1');
+    await settled(page);
+    await page.focus('#handles');
+    await press(page, 'h', 'h', 'h', 'h');
+    await press(page, 'ArrowRight');
+    assert.match(await textOf(page), /tetrahedron: \(/);
+    await page.click('#undo');
+    assert.equal(await textOf(page), before);
+    await page.reload();
+    await settled(page);
+    assert.ok(!await open());
+    await page.click('.hint summary');
+    await page.waitForFunction(() => sessionStorage.getItem('pxm-hint-folded') === '');
+    await page.click('.map-title >> nth=0');
+    assert.ok(await open());
+    return opened;
+  },
+
+  async undo_says_what_it_undid() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const toast = () => page.textContent('#toast');
+    await page.evaluate(() => { for (const text of ['ifs a {\n    newmap scale: 0.5\n}\n', 'ifs a {\n    newmap scale: 0.6\n}\n', 'ifs a {\n    newmap scale: 0.6\n    newmap scale: 0.4 translate: 0,1,0\n}\n']) studio.edit(text); });
+    await page.click('#undo');
+    assert.equal(await toast(), 'Undone in line 3: newmap scale: 0.4 translate: 0,1,0 is gone.');
+    await press(page, 'Control+z');
+    assert.equal(await toast(), 'Undone in line 2: scale: 0.5 instead of scale: 0.6.');
+    await press(page, 'Control+Shift+z');
+    assert.equal(await toast(), 'Redone in line 2: scale: 0.6 instead of scale: 0.5.');
+    await page.click('#redo');
+    assert.equal(await toast(), 'Redone in line 3: newmap scale: 0.4 translate: 0,1,0 is there.');
+    await press(page, 'Control+y');
+    assert.equal(await toast(), 'There is nothing to redo.');
+    // Whatever two texts are, the words name a line that there is, and pieces of them.
+    const wrong = await page.evaluate(async () => {
+      const { changeBetween } = await import('/changes.js');
+      const bits = ['a: 1', '\n', ' ', 'b', '0.5', 'newmap', '#', ''];
+      let seed = 7;
+      const random = n => { seed = (seed * 1103515245 + 12345) % 2147483648; return Math.floor(seed / 65536) % n; };
+      const text = () => Array.from({ length: random(9) }, () => bits[random(bits.length)]).join('');
+      for (let i = 0; i < 5000; ++i) {
+        const [before, after] = [text(), text()];
+        const { line, was, is } = changeBetween(before, after);
+        const flat = t => t.replace(/\s+/g, ' ');
+        if (line < 1 || line > Math.max(before.split('\n').length, after.split('\n').length) || !flat(before).includes(was) || !flat(after).includes(is)) return [before, after, line, was, is];
+      }
+      return null;
+    });
+    assert.equal(wrong, null);
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

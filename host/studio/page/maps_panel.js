@@ -11,6 +11,8 @@ import { lipschitz } from './vectors.js';
 const labels = { scale: ['x', 'y', 'z'], translate: ['x', 'y', 'z'], rotate: ['', '°'] };
 const pixel_steps = { scale: 0.005, translate: 0.005, rotate: 0.5, matrix: 0.005 };
 
+const folded = 'pxm-hint-folded';
+
 const hex = c => '#' + c.map(x => Math.round(255 * Math.min(1, Math.max(0, x))).toString(16).padStart(2, '0')).join('');
 const weightOf = map => map?.directives.find(d => d.word === 'weight')?.args[0]?.text ?? '';
 const fromHex = text => [1, 3, 5].map(i => Number((parseInt(text.slice(i, i + 2), 16) / 255).toFixed(3)));
@@ -62,16 +64,19 @@ export class MapsPanel {
     this.place.replaceChildren(head, ...this.hint(), ...this.block().maps.map((map, i) => this.card(map, i)), ...(graph ? [graph] : []));
   }
 
-  /// For whoever begins with nothing: how a plant comes of it.
+  /// Whether this is the scene that one begins with.
+  beginning() { return this.scene().shipped && /^# two copies of the whole/.test(this.text()); }
+
+  /// For whoever begins with nothing: how a plant comes of it. Who folds it wants it so.
   hint() {
-    if (!this.scene().shipped || !/^# two copies of the whole/.test(this.text())) return [];
+    if (!this.beginning()) return [];
     const step = (...words) => element('li', {}, ...words);
-    return [element('details', { class: 'hint', open: true }, element('summary', {}, 'How to make a plant'), element('ol', {},
-      step('Open Map 1 below. It is the plant without its lowest leaves: nearly the whole, higher up. Make its scale 0.85 and its translate y 0.4, and add a rotate by z and 3 degrees, so that it bends.'),
+    return [element('details', { class: 'hint', open: !sessionStorage.getItem(folded), ontoggle: e => sessionStorage.setItem(folded, e.target.open ? '' : 'yes') }, element('summary', {}, 'How to make a plant'), element('ol', {},
+      step('Open Map 1 below. It is the plant without its lowest leaves: nearly the whole, higher up. Make its scale 0.85 and its translate y 0.4, and add a rotate by z and 3 degrees, so that it bends: what is flat turns about z.'),
       step('Open Map 2: the first leaf. Scale 0.4, rotate z by 50 degrees, translate 0, 0.4, 0.'),
-      step('Mirror it, for the leaf on the other side.'),
+      step('Mirror it, for the leaf on the other side: that makes a mirrored copy, Map 3, and Map 2 stays.'),
       step('Add a map for the stem: press ', element('i', {}, 'x y z'), ' beside its scale, and make it 0.03, 0.35, 0.03; translate 0, 0, 0.'),
-      step('Change any number, or drag the yellow handles in the picture, until you like it. Then press ', element('i', {}, 'PNG'), ' above to keep the picture, or ', element('i', {}, 'Save'), ' to keep the scene.')))];
+      step('Change any number, or drag the yellow handles in the picture, until you like it. (A corner or a face that is dragged turns the steps of its map into one tetrahedron; undo, ', element('i', {}, '↶'), ' above, brings them back.) Then press ', element('i', {}, 'PNG'), ' above to keep the picture, or ', element('i', {}, 'Save'), ' to keep the scene.')))];
   }
 
   addMap() {
@@ -179,10 +184,13 @@ export class MapsPanel {
     });
   }
 
+  /// The plant that one begins with is flat: it turns about z.
+  newStep(word) { return word === 'rotate' && this.beginning() ? 'rotate: z,30' : edits.defaultStep[word]; }
+
   adder(index) {
     return element('div', { class: 'row adder' }, element('span', { class: 'note' }, 'add'), ...Object.keys(edits.defaultStep).map(word =>
       element('button', { class: 'small', 'data-key': `${index}.add.${word}`,
-        onclick: () => this.edit(edits.addStep(this.text(), this.mapAt(index), edits.defaultStep[word])) }, word)));
+        onclick: () => this.edit(edits.addStep(this.text(), this.mapAt(index), this.newStep(word))) }, word)));
   }
 
   /// Colour, how much of it, and weight.
