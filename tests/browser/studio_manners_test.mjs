@@ -499,6 +499,34 @@ const tests = {
     assert.equal(wrong, null);
     return opened;
   },
+
+  async facts_say_that_they_are_being_computed() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    let go, held = new Promise(done => { go = done; });
+    await page.route('**/api/inspect', async route => { await held; await route.continue(); });
+    await page.click('#tab-facts');
+    await page.waitForSelector('#panel-facts .awaited:has-text("Computing what is known")');
+    assert.equal(await page.$('#panel-facts dd'), null);
+    go();
+    await page.waitForSelector('#panel-facts dd');
+    assert.equal(await page.$('#panel-facts .awaited'), null);
+    // Of a text that has changed the old ones stand there, and it says that there will be others.
+    held = new Promise(done => { go = done; });
+    await page.evaluate(() => studio.edit(studio.text.replace(/scale: 0\.5/, 'scale: 0.45')));
+    await page.waitForSelector('#panel-facts .awaited');
+    assert.ok(await page.$('#panel-facts dd'));
+    go();
+    await page.waitForFunction(() => !document.querySelector('#panel-facts .awaited') && document.querySelector('#panel-facts dd'));
+    // What is given up says so.
+    await page.unroute('**/api/inspect');
+    await page.route('**/api/inspect', route => route.fulfill({ contentType: 'application/json', body: '{"superseded": true, "stopping_ms": 0}' }));
+    await page.evaluate(() => studio.edit(studio.text.replace(/scale: 0\.45/, 'scale: 0.4')));
+    await page.waitForSelector('#panel-facts .awaited:has-text("Computing was stopped")');
+    // Help speaks of what can be dragged.
+    assert.match(await page.textContent('#help-dialog'), /drag what stands beside it sideways: ↔/);
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

@@ -1,7 +1,7 @@
 // Where the page is: which scene it shows, from which view, as its address has it; and the texts that were
 // not saved, which stay when one leaves them.
 import * as cameras from './camera.js';
-import { byId, toast } from './elements.js';
+import { byId, element, toast } from './elements.js';
 import { History } from './history.js';
 import * as server from './server.js';
 import { Unsaved } from './unsaved.js';
@@ -61,6 +61,7 @@ export class Place {
     Object.assign(studio, { name, shipped, saved: file.text, digest: file.digest, history: this.unsaved.historyOf(key) ?? new History(file.text),
       checked: null, base: null, camera: null, trail: [], frame: 0, ifs: 0, map: -1, goodText: '' });
     if (kept !== null) studio.history.put(kept);
+    byId('panel-facts').replaceChildren(element('p', { class: 'note awaited' }, 'Facts come once the scene has been read.'));
     byId('gallery').hidden = true;
     byId('studio').hidden = false;
     byId('scene-tools').hidden = false;
