@@ -527,6 +527,51 @@ const tests = {
     assert.match(await page.textContent('#help-dialog'), /drag what stands beside it sideways: ↔/);
     return opened;
   },
+
+  async mistakes_are_marked_where_they_are_among_the_maps() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const write = async (words, more = '') => {
+      await page.evaluate(text => studio.edit(text), `# a comment\nifs a {\n    newmap scale: 0.5\n    newmap ${words}\n}\n${more}`);
+      await page.evaluate(() => studio.answered);
+      await page.evaluate(() => studio.select(0, 1));
+    };
+    const marked = () => page.$$eval('#panel-maps [data-wrong]', all => all.map(e => e.ariaLabel ?? e.placeholder ?? (e.dataset.step ? `step ${e.dataset.step}` : `${e.textContent} of ${e.closest('button').textContent}`)));
+    for (const [words, places] of Object.entries({
+      'scale: foo': ['scale'],
+      'scale: 0.5 rotate: y,foo': ['rotate degrees'],
+      'scale: 0.5 translate: 1,1/0,0': ['translate y'],
+      'scale: 0.5 translate: 1,2+,0': ['translate y'],
+      'scale: 0.5 translate: 1,2': ['step 1'],
+      'scale: 1.2': [],
+    })) {
+      await write(words);
+      const [sign, ...rest] = await marked();
+      assert.match(sign, /^mistake of Map 2mistake/, words);
+      assert.deepEqual(rest, places, words);
+      assert.ok(await page.isVisible('#mistakes'));
+    }
+    await write('scale: 0.5 weight: -1');
+    assert.deepEqual((await marked()).slice(1), ['auto']);
+    assert.match(await page.getAttribute('[placeholder="auto"]', 'title'), /must not be negative/);
+    assert.equal(await page.getAttribute('[placeholder="auto"]', 'aria-invalid'), 'true');
+    // Typed here, too; and no more of it once it is right.
+    await page.fill('[placeholder="auto"]', '2');
+    await page.waitForSelector('#mistakes', { state: 'hidden' });
+    assert.deepEqual(await marked(), []);
+    await page.fill('[aria-label="scale"]', 'nothing');
+    await page.waitForSelector('[aria-label="scale"][aria-invalid="true"]');
+    await page.fill('[aria-label="scale"]', '0.5');
+    await page.waitForSelector('#mistakes', { state: 'hidden' });
+    assert.deepEqual(await marked(), []);
+    // What is wrong elsewhere is not said of a map.
+    await write('scale: 0.5', 'camera { eye: }\n');
+    assert.ok(await page.isVisible('#mistakes'));
+    assert.deepEqual(await marked(), []);
+    await page.evaluate(() => studio.undo());
+    await settled(page);
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

@@ -95,7 +95,9 @@ export class Checking {
   showMistakes(error, warnings = '') {
     const place = byId('mistakes');
     const mistakes = error?.mistakes ?? [];
-    this.studio.editor.mark(mistakes.filter(m => m.file === this.studio.name));
+    const here = mistakes.filter(m => m.file === this.studio.name);
+    this.studio.editor.mark(here);
+    this.studio.maps.mark(here);
     place.hidden = !error && !warnings;
     byId('nothing').hidden = !error || this.studio.goodText !== '';
     place.classList.toggle('warning', !error);

@@ -4,6 +4,7 @@ import { element, number } from './elements.js';
 import { graphOf, withoutMap, withRulesOfCopy } from './graph_edits.js';
 import { graphPanel } from './graph_panel.js';
 import * as edits from './map_edits.js';
+import { mistakePlace } from './mistake_places.js';
 import { oneAxis, oneValue, takesOne } from './number_field.js';
 import { outlineOf, valueOf } from './scene_tokens.js';
 import { lipschitz } from './vectors.js';
@@ -23,6 +24,7 @@ export class MapsPanel {
     Object.assign(this, { place, scene, edit, select });
     this.shape = '';
     this.graph = { chosen: -1 };
+    this.wrong = [];  // where the program found mistakes
   }
 
   draw() {
@@ -233,6 +235,32 @@ export class MapsPanel {
       this.place.querySelector(`[data-swatch="${i}"]`).style.background = hex(this.colorOf(one));
     });
     if (map >= 0 && block.maps[map]) this.refreshCard(block.maps[map], map);
+    this.showWrong();
+  }
+
+  /// Mistakes of the text as it is now.
+  mark(mistakes) {
+    const { outline } = this.scene();
+    this.wrong = mistakes.map(m => mistakePlace(this.text(), outline, edits.stepsOf, m)).filter(m => m);
+    this.showWrong();
+  }
+
+  /// At the field, if it is known, or at its step; and at the map in any case.
+  showWrong() {
+    for (const one of this.place.querySelectorAll('[data-wrong]')) {
+      if (one.dataset.wrong === 'sign') one.remove();
+      else ['data-wrong', 'aria-invalid', 'title'].forEach(name => one.removeAttribute(name));
+    }
+    for (const { ifs, map, step, arg, word, message } of this.wrong) {
+      const badge = this.place.querySelector(`[data-lip="${map}"]`);
+      if (ifs !== this.scene().ifs || !badge) continue;
+      badge.before(element('span', { class: 'wrong', 'data-wrong': 'sign', title: message }, 'mistake'));
+      const field = this.find(arg >= 0 ? `${map}.${step}.${arg}` : `${map}.${word}`) ?? this.place.querySelector(`.card.open [data-step="${step}"]`);
+      if (!field || map !== this.scene().map) continue;
+      Object.assign(field.dataset, { wrong: 'place' });
+      field.setAttribute('title', message);
+      if (field.tagName === 'INPUT') field.setAttribute('aria-invalid', 'true');
+    }
   }
 
   colorOf(map) {

@@ -30,16 +30,19 @@ function selectsWhole(field) {
 /// `put(value)` is called with what `read` makes of what is typed. What it refuses is not put; once the
 /// field is left, it shows `now()`.
 export function takesOne(field, read, put, now) {
+  let refused = false;
   selectsWhole(field);
   field.addEventListener('input', () => {
     const value = read(field.value);
     field.removeAttribute('aria-invalid');
+    refused = value === null && field.value.trim() !== '';
     if (value !== null) put(value);
-    else if (field.value.trim()) field.setAttribute('aria-invalid', 'true');
+    else if (refused) field.setAttribute('aria-invalid', 'true');
   });
   field.addEventListener('blur', () => {
-    if (field.getAttribute('aria-invalid')) toast(`“${field.value}” is not ${read === oneAxis ? 'x, y or z' : 'one number'}: nothing was changed.`, 'bad');
-    field.removeAttribute('aria-invalid');
+    if (refused) toast(`“${field.value}” is not ${read === oneAxis ? 'x, y or z' : 'one number'}: nothing was changed.`, 'bad');
+    if (refused) field.removeAttribute('aria-invalid');
+    refused = false;
     field.value = now() ?? field.value;
   });
   return field;
