@@ -2,7 +2,7 @@
 // need contrast, in two tabs, in a page where nothing moves; and what leaves it for other programs.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync, readdirSync, symlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { openPage, pixelsOf, settled, startBrowser, startStudio } from './studio.mjs';
 
@@ -339,6 +339,19 @@ const tests = {
     await page.waitForFunction(() => !studio.shipped);
     await gallery();
     assert.deepEqual(await page.$$eval('#unsaved-cards button', all => all.map(e => e.title)), ['mine_2.pxm']);
+    // A file that is gone takes no changes along.
+    await page.click('#own-cards [title="fir.pxm"]');
+    await shows('fir.pxm');
+    await page.evaluate(() => studio.edit(`${studio.text}# changed\n`));
+    await gallery();
+    rmSync(join(studio.folder, 'fir.pxm'));
+    await page.click('#unsaved-cards [title="fir.pxm"]');
+    await shows('fir.pxm');
+    assert.equal(await textOf(page), `${brought}# changed\n`);
+    await page.click('#save');
+    await page.waitForFunction(() => studio.saved === studio.text);
+    assert.equal(readFileSync(join(studio.folder, 'fir.pxm'), 'utf8'), `${brought}# changed\n`);
+    writeFileSync(join(studio.folder, 'fir.pxm'), brought);
     return opened;
   },
 

@@ -51,10 +51,10 @@ export class Place {
   /// `shipped`: it comes with pxm, or from nowhere, and has no file yet.
   async load(name, shipped) {
     const { studio } = this;
+    const key = Unsaved.key(name, shipped), kept = this.unsaved.textOf(key);
     const file = shipped
       ? { text: this.dropped ?? studio.facts.shipped.find(s => s.name === name)?.text ?? beginning, digest: '' }
-      : await server.open(name);
-    const key = Unsaved.key(name, shipped), kept = this.unsaved.textOf(key);
+      : await server.open(name).catch(error => { if (kept === null) throw error; return { text: '', digest: '' }; });  // its file is gone, its text is not
     this.brought = this.dropped !== null;
     this.dropped = null;
     studio.gallery.thumbnails.pause();
