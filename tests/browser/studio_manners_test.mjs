@@ -2,7 +2,7 @@
 // need contrast, in two tabs, in a page where nothing moves; and what leaves it for other programs.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync, readdirSync, symlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { openPage, pixelsOf, settled, startBrowser, startStudio } from './studio.mjs';
 
@@ -275,6 +275,314 @@ const tests = {
     await page.click('#export-cancel');
     assert.ok(await page.isHidden('#export-dialog'));
     assert.deepEqual(readdirSync(studio.folder).filter(file => /slow|many|out/.test(file)), []);
+    return opened;
+  },
+
+  async nothing_that_is_not_saved_is_lost_when_one_begins_anew() {
+    const opened = await openPage(context, studio.address);
+    const { page } = opened;
+    const gallery = async () => { await page.click('#home'); await page.waitForSelector('#gallery:not([hidden])'); };
+    const shows = async name => { await page.waitForFunction(n => window.studio?.name === n, name); await settled(page); };
+    await page.waitForSelector('#shipped-cards button');
+    assert.ok(await page.isHidden('#unsaved'));
+    await page.click('#new');
+    await shows('mine.pxm');
+    const blank = await textOf(page);
+    await page.click('.map-title >> nth=0');
+    await page.fill('[aria-label="scale"]', '0.7');
+    await page.evaluate(() => studio.editEnds());
+    await page.fill('[aria-label="translate y"]', '0.25');
+    const worked = await textOf(page);
+    await gallery();
+    assert.deepEqual(await page.$$eval('#unsaved-cards button', all => all.map(e => e.title)), ['mine.pxm']);
+    await page.click('#new');
+    await shows('mine_2.pxm');
+    assert.equal(await textOf(page), blank);
+    assert.match(await page.textContent('#toast'), /mine\.pxm is not saved yet/);
+    // Another scene, and a file that is dropped, of a name that is taken.
+    await gallery();
+    await page.click('#own-cards [title="tetra.pxm"]');
+    await shows('tetra.pxm');
+    const drop = text => page.evaluate(words => {
+      const data = new DataTransfer();
+      data.items.add(new File([words], 'mine.pxm'));
+      window.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+    }, text);
+    const brought = readFileSync(new URL('fir.pxm', scenes), 'utf8');
+    await drop(brought);
+    await shows('mine_2.pxm');
+    assert.equal(await textOf(page), brought);
+    await page.waitForFunction(() => location.hash.includes('mine_2'));
+    await page.goBack();
+    await shows('tetra.pxm');
+    await page.goForward();
+    await shows('mine_2.pxm');
+    assert.equal(await textOf(page), brought, 'what was brought is not saved either');
+    // It is there as it was left, and so are its undo steps; after a reload of the tab, its text.
+    await gallery();
+    await page.click('#unsaved-cards [title="mine.pxm"]');
+    await shows('mine.pxm');
+    assert.equal(await textOf(page), worked);
+    await page.click('#undo');
+    assert.match(await textOf(page), /scale: 0\.7 translate: 0,0\.5,0/);
+    await page.click('#undo');
+    assert.equal(await textOf(page), blank);
+    await page.click('#redo');
+    await page.click('#redo');
+    await gallery();
+    await page.reload();
+    await page.click('#unsaved-cards [title="mine.pxm"]');
+    await shows('mine.pxm');
+    assert.equal(await textOf(page), worked);
+    await page.click('#save');
+    await page.click('#save-form button.main');
+    await page.waitForFunction(() => !studio.shipped);
+    await gallery();
+    assert.deepEqual(await page.$$eval('#unsaved-cards button', all => all.map(e => e.title)), ['mine_2.pxm']);
+    // A file that is gone takes no changes along.
+    await page.click('#own-cards [title="fir.pxm"]');
+    await shows('fir.pxm');
+    await page.evaluate(() => studio.edit(`${studio.text}# changed\n`));
+    await gallery();
+    rmSync(join(studio.folder, 'fir.pxm'));
+    await page.click('#unsaved-cards [title="fir.pxm"]');
+    await shows('fir.pxm');
+    assert.equal(await textOf(page), `${brought}# changed\n`);
+    await page.click('#save');
+    await page.waitForFunction(() => studio.saved === studio.text);
+    assert.equal(readFileSync(join(studio.folder, 'fir.pxm'), 'utf8'), `${brought}# changed\n`);
+    writeFileSync(join(studio.folder, 'fir.pxm'), brought);
+    return opened;
+  },
+
+  async a_field_of_one_number_takes_one_number() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    await page.evaluate(() => studio.edit('ifs a {\n    newmap scale: 0.5 rotate: y,30 translate: -0.3,0.4,0\n    newmap scale: 0.4\n}\n'));
+    await page.click('.map-title >> nth=0');
+    const [x, axis, weight] = ['[aria-label="translate x"]', '[aria-label="rotate axis"]', '[placeholder="auto"]'];
+    const has = async line => assert.equal((await textOf(page)).split('\n')[1].trim(), line);
+    const leave = () => page.focus('#tab-maps');
+    // A decimal comma is a point, while it is typed and afterwards.
+    await page.focus(x);
+    for (const key of ['0', ',', '2', '5']) { await press(page, key); assert.equal(await page.getAttribute(x, 'aria-invalid'), null); }
+    await has('newmap scale: 0.5 rotate: y,30 translate: 0.25,0.4,0');
+    await leave();
+    assert.equal(await page.inputValue(x), '0.25');
+    // What is not one value is refused where it stands, and said.
+    for (const wrong of ['0.1,0.2,0.3', '1 # 2', 'sqrt(2', '1)', '0.3 scale: 2', '1 }', '"a"', '(1,2),3']) {
+      await page.fill(x, wrong);
+      assert.equal(await page.getAttribute(x, 'aria-invalid'), 'true', wrong);
+      await has('newmap scale: 0.5 rotate: y,30 translate: 0.25,0.4,0');
+    }
+    await leave();
+    assert.equal(await page.inputValue(x), '0.25');
+    assert.match(await page.textContent('#toast'), /“\(1,2\),3” is not one number/);
+    await page.fill(x, '-sqrt(0,5)');
+    await page.fill(x, '-(1+sqrt(4))/10');
+    await has('newmap scale: 0.5 rotate: y,30 translate: -(1+sqrt(4))/10,0.4,0');
+    await page.fill(x, '-0,3');
+    await page.focus(weight);
+    for (const key of ['1', ',', '5']) await press(page, key);  // the row is made anew under the first of them
+    await has('newmap scale: 0.5 rotate: y,30 translate: -0.3,0.4,0 weight: 1.5');
+    await page.fill(weight, '');
+    await has('newmap scale: 0.5 rotate: y,30 translate: -0.3,0.4,0');
+    // One types over the whole: with focus by key, by a click, and with a double click.
+    await leave();
+    for (const select of [() => page.focus(x), () => page.click(x), async () => { await page.click(x); await page.dblclick(x); }]) {
+      await page.fill(x, '-0.3');
+      await leave();
+      await select();
+      await page.keyboard.type('0.4');
+      await has('newmap scale: 0.5 rotate: y,30 translate: 0.4,0.4,0');
+    }
+    await page.click(axis);
+    await press(page, 'z');
+    await has('newmap scale: 0.5 rotate: z,30 translate: 0.4,0.4,0');
+    await page.fill(axis, 'yz');
+    await has('newmap scale: 0.5 rotate: z,30 translate: 0.4,0.4,0');
+    await leave();
+    assert.equal(await page.inputValue(axis), 'z');
+    // A second click puts the caret somewhere, as anywhere.
+    await page.click(x);
+    await page.waitForTimeout(700);
+    await page.click(x, { position: { x: 3, y: 8 } });
+    assert.equal(await page.$eval(x, e => e.selectionEnd - e.selectionStart), 0);
+    await settled(page);
+    return opened;
+  },
+
+  async a_png_says_what_was_saved_and_that_one_has_to_wait() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const says = text => page.waitForFunction(words => document.querySelector('#toast.shown')?.textContent.match(words), text);
+    const size = await page.evaluate(() => `${studio.finished().columns}×${studio.finished().rows}`);
+    let download = page.waitForEvent('download');
+    await page.click('#png');
+    assert.equal((await download).suggestedFilename(), 'tetra.png');
+    await says(`^tetra\\.png is among your downloads: ${size} pixels\\.$`);
+    let go;
+    const held = new Promise(done => { go = done; });
+    await page.route('**/api/png', async route => { await held; await route.continue(); });
+    download = page.waitForEvent('download');
+    await page.click('#png');
+    await says('^tetra\\.png is saved as soon as the picture is there');
+    await page.waitForTimeout(3500);
+    assert.ok(await page.isVisible('#toast.shown'), 'it says so as long as one waits');
+    go();
+    await download;
+    await says('^tetra\\.png is among your downloads');
+    await page.click('#tab-text');
+    await page.fill('#text', 'ifs {');
+    await page.waitForSelector('#mistakes .mistake');
+    await page.click('#png');
+    await says('It is the last one without mistakes');
+    return opened;
+  },
+
+  async the_way_to_a_plant_stays_folded_and_says_what_surprises() {
+    const opened = await openPage(context, studio.address);
+    const { page } = opened;
+    await page.click('#new');
+    await settled(page);
+    const open = () => page.$eval('.hint', e => e.open);
+    const hint = await page.textContent('.hint');
+    for (const said of ['what is flat turns about z', 'mirrored copy, Map 3', 'turns the steps of its map into one tetrahedron; undo']) assert.ok(hint.includes(said), said);
+    assert.ok(await open());
+    await page.click('.hint summary');
+    await page.waitForFunction(() => sessionStorage.getItem('pxm-hint-folded') === 'yes');
+    await page.click('.map-title >> nth=0');
+    await page.click('.adder >> text=rotate');
+    assert.ok(!await open(), 'it is made anew, and stays folded');
+    assert.match(await textOf(page), /newmap scale: 0\.6 translate: 0,0\.5,0 rotate: z,30/);
+    // What it says of Mirror and of a corner is so.
+    const before = await textOf(page);
+    await page.click('.map-title >> nth=1');
+    await page.click('.card.open button:text-is("Mirror")');
+    assert.equal((await page.$$('.card')).length, 3);
+    await page.click('#undo');
+    await page.click('.map-title >> nth=1');
+    await settled(page);
+    await page.focus('#handles');
+    await press(page, 'h', 'h', 'h', 'h');
+    await press(page, 'ArrowRight');
+    assert.match(await textOf(page), /tetrahedron: \(/);
+    await page.click('#undo');
+    assert.equal(await textOf(page), before);
+    await page.reload();
+    await settled(page);
+    assert.ok(!await open());
+    await page.click('.hint summary');
+    await page.waitForFunction(() => sessionStorage.getItem('pxm-hint-folded') === '');
+    await page.click('.map-title >> nth=0');
+    assert.ok(await open());
+    return opened;
+  },
+
+  async undo_says_what_it_undid() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const toast = () => page.textContent('#toast');
+    await page.evaluate(() => { for (const text of ['ifs a {\n    newmap scale: 0.5\n}\n', 'ifs a {\n    newmap scale: 0.6\n}\n', 'ifs a {\n    newmap scale: 0.6\n    newmap scale: 0.4 translate: 0,1,0\n}\n']) studio.edit(text); });
+    await page.click('#undo');
+    assert.equal(await toast(), 'Undone in line 3: newmap scale: 0.4 translate: 0,1,0 is gone.');
+    await press(page, 'Control+z');
+    assert.equal(await toast(), 'Undone in line 2: scale: 0.5 instead of scale: 0.6.');
+    await press(page, 'Control+Shift+z');
+    assert.equal(await toast(), 'Redone in line 2: scale: 0.6 instead of scale: 0.5.');
+    await page.click('#redo');
+    assert.equal(await toast(), 'Redone in line 3: newmap scale: 0.4 translate: 0,1,0 is there.');
+    await press(page, 'Control+y');
+    assert.equal(await toast(), 'There is nothing to redo.');
+    // Whatever two texts are, the words name a line that there is, and pieces of them.
+    const wrong = await page.evaluate(async () => {
+      const { changeBetween } = await import('/changes.js');
+      const bits = ['a: 1', '\n', ' ', 'b', '0.5', 'newmap', '#', ''];
+      let seed = 7;
+      const random = n => { seed = (seed * 1103515245 + 12345) % 2147483648; return Math.floor(seed / 65536) % n; };
+      const text = () => Array.from({ length: random(9) }, () => bits[random(bits.length)]).join('');
+      for (let i = 0; i < 5000; ++i) {
+        const [before, after] = [text(), text()];
+        const { line, was, is } = changeBetween(before, after);
+        const flat = t => t.replace(/\s+/g, ' ');
+        if (line < 1 || line > Math.max(before.split('\n').length, after.split('\n').length) || !flat(before).includes(was) || !flat(after).includes(is)) return [before, after, line, was, is];
+      }
+      return null;
+    });
+    assert.equal(wrong, null);
+    return opened;
+  },
+
+  async facts_say_that_they_are_being_computed() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    let go, held = new Promise(done => { go = done; });
+    await page.route('**/api/inspect', async route => { await held; await route.continue(); });
+    await page.click('#tab-facts');
+    await page.waitForSelector('#panel-facts .awaited:has-text("Computing what is known")');
+    assert.equal(await page.$('#panel-facts dd'), null);
+    go();
+    await page.waitForSelector('#panel-facts dd');
+    assert.equal(await page.$('#panel-facts .awaited'), null);
+    // Of a text that has changed the old ones stand there, and it says that there will be others.
+    held = new Promise(done => { go = done; });
+    await page.evaluate(() => studio.edit(studio.text.replace(/scale: 0\.5/, 'scale: 0.45')));
+    await page.waitForSelector('#panel-facts .awaited');
+    assert.ok(await page.$('#panel-facts dd'));
+    go();
+    await page.waitForFunction(() => !document.querySelector('#panel-facts .awaited') && document.querySelector('#panel-facts dd'));
+    // What is given up says so.
+    await page.unroute('**/api/inspect');
+    await page.route('**/api/inspect', route => route.fulfill({ contentType: 'application/json', body: '{"superseded": true, "stopping_ms": 0}' }));
+    await page.evaluate(() => studio.edit(studio.text.replace(/scale: 0\.45/, 'scale: 0.4')));
+    await page.waitForSelector('#panel-facts .awaited:has-text("Computing was stopped")');
+    // Help speaks of what can be dragged.
+    assert.match(await page.textContent('#help-dialog'), /drag what stands beside it sideways: ↔/);
+    return opened;
+  },
+
+  async mistakes_are_marked_where_they_are_among_the_maps() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const write = async (words, more = '') => {
+      await page.evaluate(text => studio.edit(text), `# a comment\nifs a {\n    newmap scale: 0.5\n    newmap ${words}\n}\n${more}`);
+      await page.evaluate(() => studio.answered);
+      await page.evaluate(() => studio.select(0, 1));
+    };
+    const marked = () => page.$$eval('#panel-maps [data-wrong]', all => all.map(e => e.ariaLabel ?? e.placeholder ?? (e.dataset.step ? `step ${e.dataset.step}` : `${e.textContent} of ${e.closest('button').textContent}`)));
+    for (const [words, places] of Object.entries({
+      'scale: foo': ['scale'],
+      'scale: 0.5 rotate: y,foo': ['rotate degrees'],
+      'scale: 0.5 translate: 1,1/0,0': ['translate y'],
+      'scale: 0.5 translate: 1,2+,0': ['translate y'],
+      'scale: 0.5 translate: 1,2': ['step 1'],
+      'scale: 1.2': [],
+    })) {
+      await write(words);
+      const [sign, ...rest] = await marked();
+      assert.match(sign, /^mistake of Map 2mistake/, words);
+      assert.deepEqual(rest, places, words);
+      assert.ok(await page.isVisible('#mistakes'));
+    }
+    await write('scale: 0.5 weight: -1');
+    assert.deepEqual((await marked()).slice(1), ['auto']);
+    assert.match(await page.getAttribute('[placeholder="auto"]', 'title'), /must not be negative/);
+    assert.equal(await page.getAttribute('[placeholder="auto"]', 'aria-invalid'), 'true');
+    // Typed here, too; and no more of it once it is right.
+    await page.fill('[placeholder="auto"]', '2');
+    await page.waitForSelector('#mistakes', { state: 'hidden' });
+    assert.deepEqual(await marked(), []);
+    await page.fill('[aria-label="scale"]', 'nothing');
+    await page.waitForSelector('[aria-label="scale"][aria-invalid="true"]');
+    await page.fill('[aria-label="scale"]', '0.5');
+    await page.waitForSelector('#mistakes', { state: 'hidden' });
+    assert.deepEqual(await marked(), []);
+    // What is wrong elsewhere is not said of a map.
+    await write('scale: 0.5', 'camera { eye: }\n');
+    assert.ok(await page.isVisible('#mistakes'));
+    assert.deepEqual(await marked(), []);
+    await page.evaluate(() => studio.undo());
+    await settled(page);
     return opened;
   },
 };

@@ -323,6 +323,7 @@ const tests = {
     await page.selectOption('#model', '964dX');
     await page.waitForSelector('.nodes i');
     assert.equal((await page.$$('.nodes i')).length, 64);
+    await page.waitForSelector('[aria-label="How pixels are shared out"] button');  // the map fills before they are known
     const shares = await page.$$eval('[aria-label="How pixels are shared out"] button', b => b.map(e => parseFloat(e.textContent.replace(/^\D+/, ''))));
     assert.ok(shares[0] > 90 && shares.slice(1).every(s => s < shares[0]), `interleaving is the most even: ${shares}`);
     await settled(page);

@@ -2,7 +2,7 @@
 // what is known of it without a picture.
 import * as cameras from './camera.js';
 import { byId, element } from './elements.js';
-import { showFacts } from './facts_panel.js';
+import { awaitFacts, showFacts } from './facts_panel.js';
 import * as server from './server.js';
 
 const shown_mistakes = 6;
@@ -70,6 +70,7 @@ export class Checking {
     studio.live.change();
     studio.handles.draw();
     this.factsOld = true;
+    awaitFacts(byId('panel-facts'));
     clearTimeout(this.soon);
     this.soon = setTimeout(() => this.inspect(), quiet);
   }
@@ -79,9 +80,13 @@ export class Checking {
     const { studio } = this;
     if (studio.tab !== 'facts' || !this.factsOld) return;
     this.factsOld = false;
+    const serial = this.asked = (this.asked ?? 0) + 1;
     try {
       const facts = await server.inspect({ name: studio.name, text: studio.goodText, frame: studio.frame });
+      if (serial !== this.asked || studio.goodText === '') return;  // there is a newer question, or another scene
       if (facts) showFacts(byId('panel-facts'), facts);
+      if (this.factsOld) awaitFacts(byId('panel-facts'));
+      else if (!facts) awaitFacts(byId('panel-facts'), 'Computing was stopped. It begins again with the next change.');
     } catch (error) {
       byId('panel-facts').replaceChildren(element('p', { class: 'note' }, error.message));
     }
@@ -90,7 +95,9 @@ export class Checking {
   showMistakes(error, warnings = '') {
     const place = byId('mistakes');
     const mistakes = error?.mistakes ?? [];
-    this.studio.editor.mark(mistakes.filter(m => m.file === this.studio.name));
+    const here = mistakes.filter(m => m.file === this.studio.name);
+    this.studio.editor.mark(here);
+    this.studio.maps.mark(here);
     place.hidden = !error && !warnings;
     byId('nothing').hidden = !error || this.studio.goodText !== '';
     place.classList.toggle('warning', !error);

@@ -43,10 +43,11 @@ export function shortWord(maps) {
 }
 
 let fading;
+/// Of the kind 'wait' it stays until there is another.
 export function toast(text, kind = '') {
   const place = byId('toast');
   place.textContent = text;
   place.className = `toast shown ${kind}`;
   clearTimeout(fading);
-  fading = setTimeout(() => place.classList.remove('shown'), kind === 'bad' ? 6000 : 3000);
+  if (kind !== 'wait') fading = setTimeout(() => place.classList.remove('shown'), kind === 'bad' ? 6000 : 3000);
 }

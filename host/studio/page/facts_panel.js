@@ -33,6 +33,12 @@ function bar(share, state) {
   return fill;
 }
 
+/// While there are none, or only those of a text before.
+export function awaitFacts(place, text = 'Computing what is known of this scene …') {
+  place.querySelector('.awaited')?.remove();
+  place.prepend(element('p', { class: 'note awaited', role: 'status' }, text));
+}
+
 export function showFacts(place, facts) {
   const memory = facts.memory;
   place.replaceChildren(

@@ -49,12 +49,20 @@ class Thumbnails {
 export class Gallery {
   constructor(facts, open) {
     this.thumbnails = new Thumbnails();
+    this.open = open;
     byId('folder').textContent = facts.folder;
     byId('own').hidden = facts.scenes.length === 0;
     byId('own-cards').replaceChildren(...facts.scenes.map(name =>
       this.card(name, async () => (await server.open(name)).text, () => open(name, false))));
     byId('shipped-cards').replaceChildren(...facts.shipped.map(scene =>
       this.card(scene.name, async () => scene.text, () => open(scene.name, true))));
+  }
+
+  /// What one has left without saving it.
+  showUnsaved(scenes) {
+    byId('unsaved').hidden = scenes.length === 0;
+    byId('unsaved-cards').replaceChildren(...scenes.map(({ name, shipped, text }) =>
+      this.card(name, async () => text, () => this.open(name, shipped))));
   }
 
   card(name, text, open) {

@@ -4,13 +4,18 @@ import { element, number } from './elements.js';
 import { graphOf, withoutMap, withRulesOfCopy } from './graph_edits.js';
 import { graphPanel } from './graph_panel.js';
 import * as edits from './map_edits.js';
+import { mistakePlace } from './mistake_places.js';
+import { oneAxis, oneValue, takesOne } from './number_field.js';
 import { outlineOf, valueOf } from './scene_tokens.js';
 import { lipschitz } from './vectors.js';
 
 const labels = { scale: ['x', 'y', 'z'], translate: ['x', 'y', 'z'], rotate: ['', '°'] };
 const pixel_steps = { scale: 0.005, translate: 0.005, rotate: 0.5, matrix: 0.005 };
 
+const folded = 'pxm-hint-folded';
+
 const hex = c => '#' + c.map(x => Math.round(255 * Math.min(1, Math.max(0, x))).toString(16).padStart(2, '0')).join('');
+const weightOf = map => map?.directives.find(d => d.word === 'weight')?.args[0]?.text ?? '';
 const fromHex = text => [1, 3, 5].map(i => Number((parseInt(text.slice(i, i + 2), 16) / 255).toFixed(3)));
 
 export class MapsPanel {
@@ -19,6 +24,7 @@ export class MapsPanel {
     Object.assign(this, { place, scene, edit, select });
     this.shape = '';
     this.graph = { chosen: -1 };
+    this.wrong = [];  // where the program found mistakes
   }
 
   draw() {
@@ -26,17 +32,21 @@ export class MapsPanel {
     const shape = JSON.stringify([ifs, map, outline.ifs.map(block => [block.name, block.maps.map(m =>
       [m.name, m.directives.map(d => [d.word, d.args.length])]), graphOf(block, this.text()).allowed])]);
     if (shape !== this.shape) {
-      const { key: focus, node } = document.activeElement?.dataset ?? {};
+      const { dataset, selectionStart, selectionEnd } = document.activeElement ?? {};
+      const { key: focus, node } = dataset ?? {};
       this.shape = shape;
       this.rebuild();
-      if (focus) this.place.querySelector(`[data-key="${focus}"]`)?.focus();
-      else if (node) this.place.querySelector(`[data-node="${node}"]`)?.focus();
+      this.refresh();
+      const again = focus ? this.find(focus) : node ? this.place.querySelector(`[data-node="${node}"]`) : null;
+      again?.focus();
+      if (again?.type === 'text' && Number.isInteger(selectionStart)) again.setSelectionRange(selectionStart, selectionEnd);
     }
     this.refresh();
   }
 
   block() { const { outline, ifs } = this.scene(); return outline.ifs[ifs]; }
   mapAt(index) { return this.block().maps[index]; }
+  stepsAt(index) { const map = this.block()?.maps[index]; return map ? edits.stepsOf(map) : []; }
   text() { return this.scene().text; }
 
   rebuild() {
@@ -56,16 +66,19 @@ export class MapsPanel {
     this.place.replaceChildren(head, ...this.hint(), ...this.block().maps.map((map, i) => this.card(map, i)), ...(graph ? [graph] : []));
   }
 
-  /// For whoever begins with nothing: how a plant comes of it.
+  /// Whether this is the scene that one begins with.
+  beginning() { return this.scene().shipped && /^# two copies of the whole/.test(this.text()); }
+
+  /// For whoever begins with nothing: how a plant comes of it. Who folds it wants it so.
   hint() {
-    if (!this.scene().shipped || !/^# two copies of the whole/.test(this.text())) return [];
+    if (!this.beginning()) return [];
     const step = (...words) => element('li', {}, ...words);
-    return [element('details', { class: 'hint', open: true }, element('summary', {}, 'How to make a plant'), element('ol', {},
-      step('Open Map 1 below. It is the plant without its lowest leaves: nearly the whole, higher up. Make its scale 0.85 and its translate y 0.4, and add a rotate by z and 3 degrees, so that it bends.'),
+    return [element('details', { class: 'hint', open: !sessionStorage.getItem(folded), ontoggle: e => sessionStorage.setItem(folded, e.target.open ? '' : 'yes') }, element('summary', {}, 'How to make a plant'), element('ol', {},
+      step('Open Map 1 below. It is the plant without its lowest leaves: nearly the whole, higher up. Make its scale 0.85 and its translate y 0.4, and add a rotate by z and 3 degrees, so that it bends: what is flat turns about z.'),
       step('Open Map 2: the first leaf. Scale 0.4, rotate z by 50 degrees, translate 0, 0.4, 0.'),
-      step('Mirror it, for the leaf on the other side.'),
+      step('Mirror it, for the leaf on the other side: that makes a mirrored copy, Map 3, and Map 2 stays.'),
       step('Add a map for the stem: press ', element('i', {}, 'x y z'), ' beside its scale, and make it 0.03, 0.35, 0.03; translate 0, 0, 0.'),
-      step('Change any number, or drag the yellow handles in the picture, until you like it. Then press ', element('i', {}, 'PNG'), ' above to keep the picture, or ', element('i', {}, 'Save'), ' to keep the scene.')))];
+      step('Change any number, or drag the yellow handles in the picture, until you like it. (A corner or a face that is dragged turns the steps of its map into one tetrahedron; undo, ', element('i', {}, '↶'), ' above, brings them back.) Then press ', element('i', {}, 'PNG'), ' above to keep the picture, or ', element('i', {}, 'Save'), ' to keep the scene.')))];
   }
 
   addMap() {
@@ -139,9 +152,12 @@ export class MapsPanel {
     const step_now = () => edits.stepsOf(this.mapAt(index))[s];
     const put = (value, kind) => this.edit(edits.setArgument(this.text(), step_now(), a, value), kind);
     const kind = `${index}.${s}.${a}`;
+    const axis = step.word === 'rotate' && a === 0;
     const input = element('input', { 'data-key': kind, 'data-arg': kind, size: 6, spellcheck: 'false', autocomplete: 'off',
-      'aria-label': `${step.word} ${spoken}`.trim(), class: step.word === 'rotate' && a === 0 ? 'axis' : '', oninput: e => { if (e.target.value.trim()) put(e.target.value, kind); },
+      'aria-label': `${step.word} ${spoken}`.trim(), class: axis ? 'axis' : '',
       onkeydown: e => this.nudge(e, step, put, kind) });
+    const read = axis ? oneAxis : step.word in labels || step.word === 'matrix' ? oneValue : typed => typed.trim() || null;
+    takesOne(input, read, value => put(value, kind), () => this.stepsAt(index)[s]?.args[a]?.text);
     const label = element('label', { class: 'value' }, element('span', { class: 'scrub', title: 'Drag sideways' }, name || (step.word === 'rotate' ? '' : '↔')), input);
     this.scrub(label.firstChild, () => valueOf(step_now().args[a].text, this.scene().lets), pixel_steps[step.word], x => put(edits.short(x), kind));
     return label;
@@ -150,7 +166,7 @@ export class MapsPanel {
   /// Up and down change a number a little.
   nudge(event, step, put, kind) {
     const sign = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-    const value = valueOf(event.target.value, this.scene().lets);
+    const value = valueOf(oneValue(event.target.value) ?? '', this.scene().lets);
     if (!sign || !pixel_steps[step.word] || !Number.isFinite(value)) return;
     event.preventDefault();
     const next = edits.short(value + sign * pixel_steps[step.word] * (event.shiftKey ? 10 : 2));
@@ -170,10 +186,13 @@ export class MapsPanel {
     });
   }
 
+  /// The plant that one begins with is flat: it turns about z.
+  newStep(word) { return word === 'rotate' && this.beginning() ? 'rotate: z,30' : edits.defaultStep[word]; }
+
   adder(index) {
     return element('div', { class: 'row adder' }, element('span', { class: 'note' }, 'add'), ...Object.keys(edits.defaultStep).map(word =>
       element('button', { class: 'small', 'data-key': `${index}.add.${word}`,
-        onclick: () => this.edit(edits.addStep(this.text(), this.mapAt(index), edits.defaultStep[word])) }, word)));
+        onclick: () => this.edit(edits.addStep(this.text(), this.mapAt(index), this.newStep(word))) }, word)));
   }
 
   /// Colour, how much of it, and weight.
@@ -188,8 +207,15 @@ export class MapsPanel {
       } })),
       element('label', { class: 'note' }, 'how much ', element('input', { type: 'range', min: 0, max: 1, step: 0.05, 'data-key': `${index}.share`,
         oninput: () => this.edit(color(), `${index}.color`) })),
-      element('label', { class: 'note', title: 'How often the chaos game takes it; pictures do not change' }, 'weight ', element('input', { size: 4, placeholder: 'auto', 'data-key': `${index}.weight`, autocomplete: 'off',
-        oninput: e => this.edit(edits.setOnce(this.text(), this.mapAt(index), 'weight', e.target.value.trim()), `${index}.weight`) })));
+      element('label', { class: 'note', title: 'How often the chaos game takes it; pictures do not change' }, 'weight ', this.weight(index)));
+  }
+
+  weight(index) {
+    const key = `${index}.weight`;
+    return takesOne(element('input', { size: 4, placeholder: 'auto', 'data-key': key, autocomplete: 'off' }),
+      typed => (typed.trim() ? oneValue(typed) : ''),
+      value => this.edit(edits.setOnce(this.text(), this.mapAt(index), 'weight', value), key),
+      () => weightOf(this.block()?.maps[index]));
   }
 
   find(key) { return this.place.querySelector(`[data-key="${key}"]`); }
@@ -209,6 +235,32 @@ export class MapsPanel {
       this.place.querySelector(`[data-swatch="${i}"]`).style.background = hex(this.colorOf(one));
     });
     if (map >= 0 && block.maps[map]) this.refreshCard(block.maps[map], map);
+    this.showWrong();
+  }
+
+  /// Mistakes of the text as it is now.
+  mark(mistakes) {
+    const { outline } = this.scene();
+    this.wrong = mistakes.map(m => mistakePlace(this.text(), outline, edits.stepsOf, m)).filter(m => m);
+    this.showWrong();
+  }
+
+  /// At the field, if it is known, or at its step; and at the map in any case.
+  showWrong() {
+    for (const one of this.place.querySelectorAll('[data-wrong]')) {
+      if (one.dataset.wrong === 'sign') one.remove();
+      else ['data-wrong', 'aria-invalid', 'title'].forEach(name => one.removeAttribute(name));
+    }
+    for (const { ifs, map, step, arg, word, message } of this.wrong) {
+      const badge = this.place.querySelector(`[data-lip="${map}"]`);
+      if (ifs !== this.scene().ifs || !badge) continue;
+      badge.before(element('span', { class: 'wrong', 'data-wrong': 'sign', title: message }, 'mistake'));
+      const field = this.find(arg >= 0 ? `${map}.${step}.${arg}` : `${map}.${word}`) ?? this.place.querySelector(`.card.open [data-step="${step}"]`);
+      if (!field || map !== this.scene().map) continue;
+      Object.assign(field.dataset, { wrong: 'place' });
+      field.setAttribute('title', message);
+      if (field.tagName === 'INPUT') field.setAttribute('aria-invalid', 'true');
+    }
   }
 
   colorOf(map) {
@@ -225,6 +277,6 @@ export class MapsPanel {
     const color = map.directives.find(d => d.word === 'color')?.args.map(a => valueOf(a.text, this.scene().lets));
     put(`${index}.color`, hex(this.colorOf(map)));
     put(`${index}.share`, String(color?.[3] ?? 0));
-    put(`${index}.weight`, map.directives.find(d => d.word === 'weight')?.args[0]?.text ?? '');
+    put(`${index}.weight`, weightOf(map));
   }
 }

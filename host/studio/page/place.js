@@ -1,9 +1,10 @@
-// Where the page is: which scene it shows, from which view, as its address has it; and the text that was
-// not saved, which survives a reload of the tab.
+// Where the page is: which scene it shows, from which view, as its address has it; and the texts that were
+// not saved, which stay when one leaves them.
 import * as cameras from './camera.js';
-import { byId, toast } from './elements.js';
+import { byId, element, toast } from './elements.js';
 import { History } from './history.js';
 import * as server from './server.js';
+import { Unsaved } from './unsaved.js';
 
 const settled = 300;  // milliseconds after a change before it stands in the address
 const beginning = `# two copies of the whole: where do they stand?
@@ -18,6 +19,7 @@ export class Place {
     this.studio = studio;
     this.scene = null;  // that is shown, and where it is from; '' is the gallery
     this.dropped = null;
+    this.unsaved = new Unsaved();
   }
 
   /// Shows what the address says.
@@ -49,15 +51,17 @@ export class Place {
   /// `shipped`: it comes with pxm, or from nowhere, and has no file yet.
   async load(name, shipped) {
     const { studio } = this;
+    const key = Unsaved.key(name, shipped), kept = this.unsaved.textOf(key);
     const file = shipped
       ? { text: this.dropped ?? studio.facts.shipped.find(s => s.name === name)?.text ?? beginning, digest: '' }
-      : await server.open(name);
+      : await server.open(name).catch(error => { if (kept === null) throw error; return { text: '', digest: '' }; });  // its file is gone, its text is not
+    this.brought = this.dropped !== null;
     this.dropped = null;
     studio.gallery.thumbnails.pause();
-    Object.assign(studio, { name, shipped, saved: file.text, digest: file.digest, history: new History(file.text),
+    Object.assign(studio, { name, shipped, saved: file.text, digest: file.digest, history: this.unsaved.historyOf(key) ?? new History(file.text),
       checked: null, base: null, camera: null, trail: [], frame: 0, ifs: 0, map: -1, goodText: '' });
-    const kept = sessionStorage.getItem(this.keptAs());
-    if (kept !== null && kept !== file.text) studio.history.put(kept);
+    if (kept !== null) studio.history.put(kept);
+    byId('panel-facts').replaceChildren(element('p', { class: 'note awaited' }, 'Facts come once the scene has been read.'));
     byId('gallery').hidden = true;
     byId('studio').hidden = false;
     byId('scene-tools').hidden = false;
@@ -72,6 +76,7 @@ export class Place {
 
   showGallery() {
     this.studio.name = '';
+    this.studio.gallery.showUnsaved(this.unsaved.list());
     this.studio.gallery.thumbnails.resume();
     byId('gallery').hidden = false;
     byId('studio').hidden = true;
@@ -86,12 +91,14 @@ export class Place {
     else location.hash = address;
   }
 
-  /// A new scene, with a text from elsewhere if there is one.
+  /// A new scene, with a text from elsewhere if there is one; never in the place of one that is not saved.
   begin(name = 'mine.pxm', text = null) {
     this.dropped = text;
     this.scene = '';
-    sessionStorage.removeItem(`pxm:${name}:true`);
-    this.go(name, true);
+    let free = name;
+    for (let i = 2; this.unsaved.has(Unsaved.key(free, true)); ++i) free = name.replace(/(\.pxm)?$/, `_${i}$1`);
+    if (free !== name) toast(`${name} is not saved yet: it stays among all scenes. This is ${free}.`);
+    this.go(free, true);
   }
 
   /// The scene has a file of that name now.
@@ -114,14 +121,13 @@ export class Place {
     }, settled);
   }
 
-  keptAs() { return `pxm:${this.studio.name}:${this.studio.shipped}`; }
+  keptAs() { return Unsaved.key(this.studio.name, this.studio.shipped); }
 
-  /// What is saved is not kept: when its file is another one day, that is what is shown.
+  /// What is saved is not kept: when its file is another one day, that is what is shown. What was brought
+  /// from elsewhere has no file.
   keepText() {
     const { studio } = this;
-    try {
-      if (studio.text === studio.saved) sessionStorage.removeItem(this.keptAs());
-      else sessionStorage.setItem(this.keptAs(), studio.text);
-    } catch { /* there is no room */ }
+    if (studio.text === studio.saved && !(this.brought && studio.shipped)) this.unsaved.forget(this.keptAs());
+    else this.unsaved.keep(this.keptAs(), studio.history);
   }
 }

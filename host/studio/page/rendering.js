@@ -5,7 +5,7 @@ import * as server from './server.js';
 
 const look = 150;  // milliseconds between two looks at how far it is
 
-const nameOf = studio => studio.name.replace(/^.*\//, '').replace(/\.pxm$/, '.png');
+export const nameOf = studio => studio.name.replace(/^.*\//, '').replace(/\.pxm$/, '.png');
 
 export function download(blob, name) {
   const link = element('a', { href: URL.createObjectURL(blob), download: name });

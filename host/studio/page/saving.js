@@ -1,15 +1,18 @@
 // What leaves the page: the scene's file, the command, the picture.
 import { commandOf } from './command.js';
 import { byId, toast } from './elements.js';
-import { download } from './rendering.js';
+import { download, nameOf } from './rendering.js';
 import * as server from './server.js';
+
+const patience = 200;  // milliseconds before one is told to wait
+let pictures = 0;        // that were asked for as PNG
 
 async function saveAs(studio, name, seen) {
   try {
     const answer = await server.save(name, studio.text, seen);
     if (!answer.saved) return false;
     studio.saved = studio.text;
-    sessionStorage.removeItem(studio.place.keptAs());
+    studio.place.unsaved.forget(studio.place.keptAs());
     Object.assign(studio, { name, shipped: false, digest: answer.digest });
     studio.place.saved(name);
     studio.drawName();
@@ -62,12 +65,19 @@ export async function copyCommand(studio) {
 
 /// The file that the command would write.
 export async function savePng(studio) {
-  if (studio.goodText === '') return;
+  if (studio.goodText === '') return toast('There is no picture yet: mend the scene first.', 'bad');
+  const serial = ++pictures, name = nameOf(studio), asked = studio.finished();
+  const old = studio.text === studio.goodText ? '' : ' It is the last one without mistakes.';
+  const late = setTimeout(() => toast(`${name} is saved as soon as the picture is there …`, 'wait'), patience);
   try {
-    const picture = await server.png(studio.finished());
-    if (!picture) return;
-    download(picture, studio.name.replace(/^.*\//, '').replace(/\.pxm$/, '.png'));
+    const picture = await server.png(asked);
+    if (!picture && serial !== pictures) return undefined;  // it was asked for again
+    if (picture) download(picture, name);
+    toast(picture ? `${name} is among your downloads: ${asked.columns}×${asked.rows} pixels.${old}` : `${name} is not saved: it was given up.`, picture ? '' : 'bad');
   } catch (error) {
     toast(error.message, 'bad');
+  } finally {
+    clearTimeout(late);
   }
+  return undefined;
 }

@@ -1,6 +1,7 @@
 // The page of pxm studio: one scene as text, as maps and as a picture, in step.
 import { takeDropped, bring } from './bringing.js';
 import * as cameras from './camera.js';
+import { told } from './changes.js';
 import { Checking } from './checking.js';
 import { Descent } from './descent.js';
 import { Editor } from './editor.js';
@@ -79,8 +80,14 @@ class Studio {
   }
   edited(text) { this.edit(text, dragged); }
   editEnds() { this.history.seal(); }
-  undo() { this.history.undo(); this.textChanged(); }
-  redo() { this.history.redo(); this.textChanged(); }
+  undo() { this.step('Undone', () => this.history.undo()); }
+  redo() { this.step('Redone', () => this.history.redo()); }
+  step(what, go) {
+    const before = this.text;
+    go();
+    this.textChanged();
+    toast(this.text === before ? `There is nothing to ${what === 'Undone' ? 'undo' : 'redo'}.` : told(what, before, this.text));
+  }
 
   textChanged() {
     this.outline = outlineOf(this.text);
