@@ -14,9 +14,9 @@ namespace pxm::host {
 
 /// point + span of the first `dimension` axes, which are orthonormal.
 struct AffineHull {
-    glm::dvec3 point{0.0};
-    int dimension = 0;
-    std::array<glm::dvec3, 3> axes{};
+    glm::dvec3 point{0.0};             // one of it
+    int dimension = 0;                 // 0 to 3
+    std::array<glm::dvec3, 3> axes{};  // all three, also those beyond the dimension
 };
 
 /// point, line, plane or space
@@ -31,9 +31,10 @@ struct AffineHull {
 
 /// The same, and how often an edge of the graph (a map in a follow set) was looked at for it.
 struct HullSearch {
-    std::vector<AffineHull> hulls;
-    std::size_t edges_looked_at = 0;
+    std::vector<AffineHull> hulls;    // of each E_s
+    std::size_t edges_looked_at = 0;  // each time
 };
+/// As affine_hulls().
 [[nodiscard]] HullSearch search_affine_hulls(const Rifs& rifs);
 
 /// By how much a map stretches lengths, areas or volumes (as many as the hull has dimensions) of

@@ -19,10 +19,10 @@ struct Moments {                        // of the measure
     glm::dmat3 covariance{0.0};         // about the mean
     std::array<glm::dvec3, 3> axes{};   // unit; the one of the largest variance first
     std::array<double, 3> variances{};  // along them
-    /// Proven for the maps as the doubles that they are; infinite where no bound is known: no
-    /// coordinate of the centroid, and no variance, is further off.
+    /// No coordinate of the centroid is further off, for the maps as the doubles that they are;
+    /// infinite where no bound is known.
     double centroid_error = 0;
-    double variance_error = 0;
+    double variance_error = 0;  // the same of each variance
     /// Per axis: the sine of the angle that it is off by at most. 1: nothing is known of it, as
     /// where two variances are the same.
     std::array<double, 3> axis_errors{};

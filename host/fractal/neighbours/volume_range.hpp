@@ -3,9 +3,9 @@
 
 namespace pxm::host {
 
-struct VolumeBracket {
-    double low = 0;
-    double high = 0;
+struct VolumeBracket {  // the volume is between
+    double low = 0;     // this
+    double high = 0;    // and this
 };
 
 }  // namespace pxm::host
