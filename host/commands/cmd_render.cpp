@@ -1,38 +1,33 @@
 // `pxm render SCENE [-o OUT]`: a picture, or with --pixel one ray's descent.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
-#include <type_traits>
 
 #include "host/commands/cmd.hpp"
 #include "host/commands/exr_options.hpp"
 #include "host/commands/film_stream.hpp"
 #include "host/commands/option_checks.hpp"
+#include "host/commands/picture_file.hpp"
 #include "host/commands/picture_options.hpp"
 #include "host/commands/render_arguments.hpp"
 #include "host/commands/render_film_parts.hpp"
 #include "host/commands/render_frames.hpp"
 #include "host/commands/render_parts.hpp"
+#include "host/commands/scene_options.hpp"
 #include "host/commands/shared_options.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/inspect/exact_facts.hpp"
 #include "host/inspect/neighbour_channel.hpp"
 #include "host/output/cost_model_json.hpp"
-#include "host/output/encoder.hpp"
 #include "host/output/image.hpp"
 #include "host/output/spared_inputs.hpp"
 #include "host/output/statistics_json.hpp"
-#include "host/output/taken_windows.hpp"
 #include "host/process/granted_threads.hpp"
 #include "host/process/interrupt.hpp"
 #include "host/process/limits.hpp"
-#include "host/process/phase_clock.hpp"
 #include "host/process/progress.hpp"
 #include "host/process/terminal.hpp"
 #include "host/render/render.hpp"
@@ -42,72 +37,6 @@
 namespace pxm::host {
 
 namespace {
-
-/// The options that say over the scene how it is rendered: their names, what they do, where they
-/// are written and where they go, and how their text is read or what their number may be.
-template <class Arguments, class See>
-void each_scene_option(Arguments& a, const See& see) {
-    using To = SceneOverrides;
-    see("--size", "WxH in pixels", a.size, &To::size, parse_size);
-    see("--crop", "x0,y0,x1,y1: only this window, half open", a.crop, &To::crop, parse_crop);
-    see("--levels", "Stop after so many maps", a.levels, &To::levels, check_of_levels());
-    see("--zoom", "Move the eye to look + (eye - look) / F", a.zoom, &To::zoom, positive_number());
-    see("--numeric", "dsp32, float or double", a.numeric, &To::numeric, parse_numeric);
-    see("--samples", "Samples a pixel", a.samples, &To::samples, check_of_samples());
-    see("--covers", "on, off, area, or tmin,tmax in pixels", a.covers, &To::covers, parse_covers);
-    see("--shading", "constant, low-pass, high-pass or facet", a.shading, &To::shading,
-        parse_shading);
-    see("--intersect", "auto, heap, fast or wide", a.intersect, &To::intersect, parse_intersect);
-    see("--lipschitz", "auto, product, determinant or polar", a.lipschitz, &To::lipschitz,
-        parse_lipschitz);
-    see("--volume", "auto, sphere, box, oriented or hull", a.volume, &To::volume, parse_volume);
-    see("--detail", "Cells are terminal at so many pixels", a.detail, &To::detail,
-        positive_number());
-    see("--heap", "Entries of the heap", a.heap, &To::heap, check_of_heap());
-}
-
-template <class Written>
-constexpr bool is_text = std::is_same_v<Written, std::string>;
-
-void add_scene_options(CommandOptions& command, RenderArguments& arguments) {
-    each_scene_option(arguments, [&]<class Written>(const char* name, const char* what,
-                                                    Written& written, auto, const auto& check) {
-        Option option = command.add_option(name, written, what);
-        if constexpr (!is_text<Written>) option.transform(check);
-    });
-}
-
-SceneOverrides overrides_of(const RenderArguments& arguments) {
-    SceneOverrides overrides;
-    each_scene_option(arguments,
-                      [&]<class Written>(const char*, const char*, const Written& written, auto to,
-                                         const auto& parse) {
-                          if constexpr (is_text<Written>) {
-                              if (!written.empty()) overrides.*to = parse(written);
-                          } else {
-                              if (written) overrides.*to = *written;
-                          }
-                      });
-    return overrides;
-}
-
-/// Those that were given, as a picture notes them; it notes what its numbers are by itself.
-std::string noted_options(const RenderArguments& arguments) {
-    std::string options = arguments.program == "asm" ? "--program asm" : "";
-    each_scene_option(arguments, [&]<class Written>(const std::string& name, const char*,
-                                                    const Written& written, auto, const auto&) {
-        std::string text;
-        if constexpr (is_text<Written>) {
-            text = written;
-        } else if (written) {
-            text = fmt::format("{}", *written);
-        }
-        const bool changes_nothing = name == "--zoom" && text == "1";
-        if (text.empty() || changes_nothing || name == "--numeric") return;
-        options += fmt::format("{}{} {}", options.empty() ? "" : " ", name, text);
-    });
-    return options;
-}
 
 /// What the nodes run.
 NodeCode parse_program(const std::string& text, const Model* machine) {
@@ -165,97 +94,10 @@ std::vector<std::string> outputs_of(const RenderArguments& arguments, const std:
     return outputs;
 }
 
-Metadata metadata_of(const RenderArguments& a, const RenderResult& result, SceneCarrier& carrier,
-                     double frame) {
-    const Statistics& s = result.statistics;
-    std::string options = noted_options(a);
-    const std::string settings = text_of(parse_settings(a.set));
-    if (!settings.empty()) options += (options.empty() ? "" : " ") + settings;
-    std::string carried = carrier.text(frame);
-    Metadata metadata{{"version", PXM_VERSION},
-                      {"scene", carrier.name()},
-                      {"engine", s.engine},
-                      {"model", s.model},
-                      {"numeric", s.numeric},
-                      {"options", options},
-                      {"pixel_at_eye", fmt::format("{:.17g}", result.pixel_at_eye)},
-                      {"pixel_growth", fmt::format("{:.17g}", result.pixel_growth)}};
-    for (const auto& entry : exr_metadata(a, s.size)) metadata.push_back(entry);
-    if (!carried.empty()) metadata.emplace_back(carried_metadata, std::move(carried));
-    return metadata;
-}
-
-/// Whether what is known to be doubtful is told before the first ray, or by whoever collects it.
-enum class Warnings { before, after };
-
-/// The picture's file, from before the first ray on.
-class PictureToFile : public PictureTaker {
-  public:
-    PictureToFile(const RenderArguments& arguments, const std::string& path,
-                  const std::vector<Aov>& aovs, Warnings warnings, SceneCarrier& carrier,
-                  double frame, const ExtraChannels* extra)
-        : arguments_(arguments),
-          path_(path),
-          aovs_(aovs),
-          warnings_(warnings),
-          carrier_(carrier),
-          frame_(frame),
-          extra_(extra) {}
-
-    void begin(const RenderResult& known) override {
-        if (warnings_ == Warnings::before) tell(told_ = known.warnings);
-        writer_.emplace(path_, known.window, aovs_,
-                        metadata_of(arguments_, known, carrier_, frame_), extra_);
-    }
-    void take(const Frame& part) override {
-        writer_->append(part);
-        taken_.add(part.crop);
-    }
-    void finish() { writer_->finish(); }
-    /// Ends a picture that was given up: what was not taken is black. False if nothing was.
-    bool finish_partial(const RenderResult& result) {
-        if (!writer_ || taken_.pixels() == 0 || result.statistics.rays.pixels == 0) return false;
-        taken_.fill(result.statistics.size, result.window,
-                    [&](const Frame& black) { writer_->append(black); });
-        writer_->finish();
-        return true;
-    }
-    [[nodiscard]] long taken_pixels() const { return taken_.pixels(); }
-    /// Leaves what was not told yet.
-    void take_told(std::string& warnings) const {
-        if (warnings.starts_with(told_)) warnings.erase(0, told_.size());
-    }
-
-  private:
-    const RenderArguments& arguments_;
-    const std::string& path_;
-    const std::vector<Aov>& aovs_;
-    Warnings warnings_;
-    SceneCarrier& carrier_;
-    double frame_;
-    const ExtraChannels* extra_;  // or null
-    std::string told_;
-    std::optional<ImageWriter> writer_;
-    TakenWindows taken_;
-};
-
 ExitCode explain(const RenderArguments& arguments) {
     const auto [x, y] = parse_pixel(arguments.pixel);
     put_result(explain_pixel(request_of(arguments), x, y));
     return ExitCode::done;
-}
-
-/// The channels that were asked for.
-std::vector<Aov> aovs_of(const RenderArguments& arguments) {
-    const auto aovs = arguments.aov.empty() ? std::vector<Aov>{} : parse_aovs(arguments.aov);
-    if (arguments.machine.empty() && std::ranges::find(aovs, Aov::cycles) != aovs.end()) {
-        throw Error(ErrorKind::setting,
-                    "--aov cycles: cycles are counted on the machine only (--machine MODEL)");
-    }
-    if (!arguments.machine.empty() && std::ranges::find(aovs, Aov::neighbours) != aovs.end())
-        throw Error(ErrorKind::setting,
-                    "--aov neighbours: only native renders read the words of cells (no --machine)");
-    return aovs;
 }
 
 /// What a run that makes parts is asked for.
@@ -270,41 +112,6 @@ PartsRequest parts_request_of(const RenderArguments& arguments) {
     parts.stats = arguments.stats;
     parts.quiet = arguments.quiet;
     return parts;
-}
-
-std::string partial_text(const std::string& out, const RenderResult& result, long taken) {
-    const CropWindow& window = result.window;
-    const long all = (window.x1 - window.x0) * (window.y1 - window.y0);
-    const long known = std::min(taken, static_cast<long>(result.statistics.rays.pixels));
-    return fmt::format("{} of {} pixels of {} are black", all - known, all, printable_path(out));
-}
-
-/// Renders one picture into its file. Nothing is written of one that was stopped, unless a limit
-/// did so and there is a `partial`, which then says what is missing.
-RenderResult write_picture(const RenderArguments& arguments, const RenderRequest& request,
-                           const std::string& out, const RunControl& control, Warnings warnings,
-                           SceneCarrier& carrier, std::string* partial = nullptr) {
-    PhaseClock clock;
-    const std::vector<Aov> aovs = aovs_of(arguments);
-    const std::vector<MatteKind> kinds = parse_mattes(arguments.cryptomatte);
-    std::vector<MatteLayer> mattes;
-    if (!kinds.empty()) mattes = render_mattes(request, kinds, control);
-    const ExtraChannels extra = matte_channels(mattes);
-    PictureToFile picture(arguments, out, aovs, warnings, carrier, request.frame,
-                          kinds.empty() ? nullptr : &extra);
-    RenderResult result = render(request, control, &picture);
-    picture.take_told(result.warnings);
-    if (result.stopped) {
-        if (partial && take_over_from_limit() && picture.finish_partial(result))
-            *partial = partial_text(out, result, picture.taken_pixels());
-        return result;
-    }
-    PhaseClock write_clock;
-    picture.finish();
-    PhaseSeconds& phases = result.statistics.seconds;
-    phases.write = write_clock.lap();
-    phases.total = clock.lap();
-    return result;
 }
 
 void tell_summary(const std::string& out, const RenderResult& result) {
@@ -477,7 +284,7 @@ AddedCommand add_render_command(CommandLine& line) {
     command.add_option("--format", a->format, "With -o -: y4m or ppm, frame after frame");
     command.add_option("--aov", a->aov,
                        "Extra EXR channels: Z,node,cycles,volumes,level,heap,"
-                       "alpha,object,word,N");
+                       "alpha,object,word,neighbours,N");
     command.add_option("--half", a->half, "Channels that an EXR keeps in 16 bits: color,Z,N,alpha");
     command.add_flag("--data-window", a->data_window,
                      "A crop in an EXR stands at its place in the whole image");

@@ -74,7 +74,7 @@ class CrowdCount {
             const CellAround cell = open.back();
             open.pop_back();
             if (mean_constant(cell.place.linear) * 2 * ball(cell.set).radius <= smallest) continue;
-            if (known != nullptr && known->contains(sketch(cell, smallest), 0)) continue;
+            if (known != nullptr && known->contains(sketch(cell, smallest), 0, 0)) continue;
             ++count;
             tests += static_cast<long>(maps_of(cell.set).size());
             for (const int symbol : maps_of(cell.set)) {

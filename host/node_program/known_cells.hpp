@@ -1,7 +1,8 @@
 // The cells that one ray has opened, for scenes whose cells overlap very much (docs/overlaps.md).
 // What a ray meets inside a cell follows from the ray in the cell's own coordinates. Where these
 // are the same to within a step of a quarter to half a pixel, so is what lies inside: the cell that
-// comes first in the order (key, object, word) is opened, and later ones are not.
+// comes first in the order (key, object, word) is opened, and later ones are not, unless they are
+// smaller: what a cell holds must not be left to a cell around it, of which it is a part.
 #pragma once
 
 #include <bit>
@@ -52,15 +53,17 @@ class KnownCells {
         ++ray_;
         count_ = 0;
     }
-    /// Whether a cell of that sketch was opened whose interval ended there or later; if not, this
-    /// one counts as opened.
-    [[nodiscard]] bool contains(const CellSketch& sketch, double exit) noexcept;
+    /// Whether a cell of that sketch was opened that is no larger and whose interval ended there or
+    /// later; if not, this one counts as opened. Sizes shrink from a cell to its children, so no
+    /// cell is known by one around it, nor do two wait for what each of them finds in the other.
+    [[nodiscard]] bool contains(const CellSketch& sketch, double exit, double size) noexcept;
 
   private:
     struct Entry {
         std::uint64_t low = 0;
         std::uint64_t high = 0;
         double exit = 0;
+        double size = 0;
         std::uint64_t ray = 0;  // that it was made for
     };
 
@@ -116,7 +119,8 @@ template <NodeLike Node, class Real = typename Node::Real>
     if ((node.shape_word(cell.object + Object::squash) & kernels::squash_flat) != 0) return false;
     const double pixel = to_double(kernels::pixel_at(node, search, cell.object, cell.key));
     const double step = share * to_double(search.detail) * pixel;
-    return known.contains(sketch_of(node, cell, step), to_double(cell.exit));
+    return known.contains(sketch_of(node, cell, step), to_double(cell.exit),
+                          to_double(cell.constant));
 }
 
 }  // namespace pxm::host

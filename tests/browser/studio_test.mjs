@@ -342,10 +342,17 @@ const tests = {
   async a_phone_and_a_keyboard_are_enough() {
     const opened = await scene('tetra.pxm');
     const { page } = opened;
+    for (const width of [320, 390, 600, 760]) {
+      await page.setViewportSize({ width, height: 844 });
+      await settled(page);
+      for (const panel of ['text', 'facts', 'machine', 'maps']) {
+        await page.click(`#tab-${panel}`);
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+        assert.ok(wide <= 0, `with ${panel} the page is ${wide} of ${width} pixels too wide`);
+      }
+    }
     await page.setViewportSize({ width: 390, height: 844 });
     await settled(page);
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-    assert.ok(wide <= 0, `the page is ${wide} pixels too wide`);
     const unnamed = await page.$$eval('button, input, select, textarea', all => all.filter(e => e.offsetParent && !(e.textContent.trim() || e.getAttribute('aria-label') || e.title || e.closest('label')?.textContent.trim())).map(e => e.outerHTML));
     assert.deepEqual(unnamed, [], 'everything that can be used has a name');
     await page.focus('#tab-maps');

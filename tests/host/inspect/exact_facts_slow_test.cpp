@@ -117,7 +117,7 @@ TEST(ExactFacts, a_paraboloid_is_a_surface_of_its_affinity_dimension_at_most) {
     EXPECT_NEAR(found["boundary"]["dimension"].get<double>(), 2, 1e-9);
 }
 
-TEST(ExactFacts, numbers_that_double_their_digits_are_given_up) {
+TEST(ExactFacts, numbers_that_double_their_digits_are_taken_as_intervals) {
     std::string text = "let n0 = 0.99\n";
     for (int i = 1; i < 80; ++i) {
         const std::string before = "n" + std::to_string(i - 1);
@@ -125,7 +125,8 @@ TEST(ExactFacts, numbers_that_double_their_digits_are_given_up) {
     }
     const json found =
         system_json(text + "ifs a { newmap scale: 1/2+n79 newmap scale: 1/2 translate: 1,0,0 }");
-    EXPECT_EQ(found["neighbours"]["numbers"], "its numbers have too many digits");
+    EXPECT_EQ(found["neighbours"]["numbers"],
+              "its numbers have too many digits: intervals of 60 digits");
 }
 
 // The area of the twindragon is that of the lattice of whole numbers that its copies tile by.

@@ -83,12 +83,51 @@ TEST(KnownCells, a_cell_is_known_if_one_before_it_reached_as_far) {
     KnownCells known;
     CellSketch sketch;
     sketch.add(std::uint64_t{7});
-    EXPECT_FALSE(known.contains(sketch, 2.0));
-    EXPECT_TRUE(known.contains(sketch, 1.0));
-    EXPECT_FALSE(known.contains(sketch, 3.0));
-    EXPECT_TRUE(known.contains(sketch, 3.0));
+    EXPECT_FALSE(known.contains(sketch, 2.0, 1.0));
+    EXPECT_TRUE(known.contains(sketch, 1.0, 1.0));
+    EXPECT_FALSE(known.contains(sketch, 3.0, 1.0));
+    EXPECT_TRUE(known.contains(sketch, 3.0, 1.0));
     known.forget();
-    EXPECT_FALSE(known.contains(sketch, 1.0));
+    EXPECT_FALSE(known.contains(sketch, 1.0, 1.0));
+}
+
+TEST(KnownCells, no_cell_is_known_by_a_larger_one) {
+    KnownCells known;
+    CellSketch sketch;
+    sketch.add(std::uint64_t{7});
+    EXPECT_FALSE(known.contains(sketch, 2.0, 1.0));
+    EXPECT_FALSE(known.contains(sketch, 1.0, 0.9));  // as a child that looks like its parent
+    EXPECT_TRUE(known.contains(sketch, 1.0, 0.9));
+    EXPECT_TRUE(known.contains(sketch, 1.0, 0.95));
+    EXPECT_TRUE(known.contains(sketch, 2.0, 1.0));
+    EXPECT_FALSE(known.contains(sketch, 2.0, 0.95));  // each was smaller or reached as far
+    EXPECT_TRUE(known.contains(sketch, 2.0, 0.97));
+}
+
+/// The chain of a map that hardly shrinks looks the same from cell to cell for a hundred levels: a
+/// pixel once missed the attractor at its end (seed 54 of tools/oracle).
+TEST(KnownCells, what_lies_deep_in_a_map_that_hardly_shrinks_is_found) {
+    const CompiledScene scene = compile_text(R"(
+        image { size: 26,44 }
+        render { lipschitz: product }
+        ifs fractal {
+            newmap scale: 0.9921713445375967
+                translate: -0.004874427543386073,0.006169041984244394,-0.005951266467417948
+            newmap scale: 0.10757747943090586
+                translate: -0.10102407471079317,-0.4395971075934984,0.3286242970309698
+            newmap scale: 0.2383468171402991
+                translate: 0.7461268634407586,0.19727770065487846,-0.4423546470961963
+            newmap scale: 0.23207665561726787
+                translate: -0.1612732224600647,-0.2948688915726546,0.72193172929465
+            newmap scale: 0.11985848197815148
+                translate: -0.030825889490260838,-0.33505172513605685,-0.6148768789167859
+        })");
+    ASSERT_TRUE(has_crowded_objects(scene));
+    const std::vector<SeenPixel> known = look_at(scene, OpenedCells::known);
+    const std::vector<SeenPixel> every_word = look_at(scene, OpenedCells::forgotten);
+    ASSERT_EQ(known.size(), every_word.size());
+    for (std::size_t i = 0; i < known.size(); ++i)
+        EXPECT_EQ(known[i].outcome, every_word[i].outcome) << i;
 }
 
 TEST(KnownCells, what_does_not_fit_is_not_known_and_nothing_else_is_forgotten) {
@@ -99,11 +138,11 @@ TEST(KnownCells, what_does_not_fit_is_not_known_and_nothing_else_is_forgotten) {
         return result;
     };
     for (std::uint64_t i = 0; i < KnownCells::room + 10; ++i) {
-        ASSERT_FALSE(known.contains(sketch(i), 1.0));
+        ASSERT_FALSE(known.contains(sketch(i), 1.0, 1.0));
     }
-    EXPECT_TRUE(known.contains(sketch(0), 1.0));
-    EXPECT_TRUE(known.contains(sketch(KnownCells::room - 1), 1.0));
-    EXPECT_FALSE(known.contains(sketch(KnownCells::room + 9), 1.0));
+    EXPECT_TRUE(known.contains(sketch(0), 1.0, 1.0));
+    EXPECT_TRUE(known.contains(sketch(KnownCells::room - 1), 1.0, 1.0));
+    EXPECT_FALSE(known.contains(sketch(KnownCells::room + 9), 1.0, 1.0));
 }
 
 TEST(KnownCells, steps_are_powers_of_two_not_above_what_was_asked_for) {
