@@ -120,7 +120,8 @@ class Writer {
                        {{"baseColorFactor", {color.r, color.g, color.b, 1}},
                         {"metallicFactor", 0},
                         {"roughnessFactor", 1}}}};
-        // Programs differ in whether an instance that mirrors turns its faces over.
+        // Programs differ in whether an instance that mirrors turns its faces over
+        // (findings/three_mirrored_instance.sh).
         if (cells.mirrored) material["doubleSided"] = true;
         materials_.push_back(material);
     }
