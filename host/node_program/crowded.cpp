@@ -153,6 +153,20 @@ bool is_crowded(const CompiledShape& shape) {
     return false;
 }
 
+double known_share(const CompiledScene& scene) {
+    constexpr double most = 0.5, least = 0x1p-12;  // of a pixel
+    constexpr double narrow = 0.1;  // a map that shrinks by less is followed by many like it
+    double share = 0;
+    for (const CompiledObject& object : scene.objects) {
+        const CompiledShape& shape = scene.shapes[static_cast<std::size_t>(object.shape)];
+        if (!shape.crowded) continue;
+        if (share == 0) share = most;
+        for (const CompiledMap& map : shape.maps)
+            share = std::min(share, most * std::max((1 - map.constant) / narrow, least));
+    }
+    return share;
+}
+
 bool has_crowded_objects(const CompiledScene& scene) {
     return std::ranges::any_of(scene.objects, [&](const CompiledObject& object) {
         return scene.shapes[static_cast<std::size_t>(object.shape)].crowded;

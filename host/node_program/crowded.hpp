@@ -19,6 +19,12 @@ namespace pxm::host {
 /// Whether an object of the scene has such a shape, by what compile() found.
 [[nodiscard]] bool has_crowded_objects(const CompiledScene& scene);
 
+/// The share of a pixel by which a ray tells the cells of crowded objects from those that it has
+/// opened, 0 where there are none: half a pixel; less where maps shrink by less than a tenth, for
+/// what is left out for another cell shifts the picture, and of such cells very many stand inside
+/// each other before they are as small as a pixel.
+[[nodiscard]] double known_share(const CompiledScene& scene);
+
 /// Entries of the heap where cells are crowded. A larger heap changes no picture
 /// (dsp_kernels/heap.hpp).
 inline constexpr long crowded_heap = 1 << 16;
@@ -29,9 +35,9 @@ template <class Node>
 [[nodiscard]] Node make_native_node(const CompiledScene& scene,
                                     std::span<const std::uint32_t> block) {
     using Real = typename Node::Real;
-    const bool known = !std::is_same_v<Real, dsp32::Float> && has_crowded_objects(scene);
-    return Node(block, scene.texture_words, known ? std::max(scene.heap, crowded_heap) : scene.heap,
-                sizeof(kernels::Cell<Real>), known ? OpenedCells::known : OpenedCells::forgotten);
+    const double share = std::is_same_v<Real, dsp32::Float> ? 0 : known_share(scene);
+    const long heap = share > 0 ? std::max(scene.heap, crowded_heap) : scene.heap;
+    return Node(block, scene.texture_words, heap, sizeof(kernels::Cell<Real>), share);
 }
 
 }  // namespace pxm::host

@@ -1,6 +1,6 @@
 // The cells that one ray has opened, for scenes whose cells overlap very much (docs/overlaps.md).
 // What a ray meets inside a cell follows from the ray in the cell's own coordinates. Where these
-// are the same to within a step of a quarter to half a pixel, so is what lies inside: the cell that
+// are the same to within a step of half a pixel at most, so is what lies inside: the cell that
 // comes first in the order (key, object, word) is opened, and later ones are not, unless they are
 // smaller: what a cell holds must not be left to a cell around it, of which it is a part.
 #pragma once
@@ -109,13 +109,14 @@ template <NodeLike Node, class Real = typename Node::Real>
     return sketch;
 }
 
-/// Whether a ray has opened such a cell before; if not, it has now. Cells of lifted maps are never
-/// known: their thickness depends on the way to them.
+/// Whether a ray has opened such a cell before, told apart by steps of half that share of a pixel
+/// to the whole of it; if not, it has now. Cells of lifted maps are never known: their thickness
+/// depends on the way to them.
 template <NodeLike Node, class Real = typename Node::Real>
-[[nodiscard]] bool knows_cell(Node& node, KnownCells& known, const kernels::Search<Real>& search,
+[[nodiscard]] bool knows_cell(Node& node, KnownCells& known, double share,
+                              const kernels::Search<Real>& search,
                               const kernels::Cell<Real>& cell) noexcept {
     using Object = kernels::ObjectRecord<real_words<Real>>;
-    constexpr double share = 0.5;  // of a pixel: a step is a quarter to half of one
     if ((node.shape_word(cell.object + Object::squash) & kernels::squash_flat) != 0) return false;
     const double pixel = to_double(kernels::pixel_at(node, search, cell.object, cell.key));
     const double step = share * to_double(search.detail) * pixel;

@@ -14,9 +14,6 @@
 
 namespace pxm::host {
 
-/// What a node keeps of the cells that a ray has opened (host/node_program/known_cells.hpp).
-enum class OpenedCells { forgotten, known };
-
 /// Reads the scene block and the textures in place; a heap of its own. One per thread.
 template <class Real_>
 class NativeNode {
@@ -24,16 +21,18 @@ class NativeNode {
     using Real = Real_;
     static constexpr bool watched = false;
 
-    /// `entry_bytes` is the size of the records that will be asked for.
+    /// `entry_bytes` is the size of the records that will be asked for. Of the cells that a ray has
+    /// opened a record is kept (host/node_program/known_cells.hpp) if there is a `known_share` of a
+    /// pixel by which cells are told apart.
     NativeNode(std::span<const std::uint32_t> block, std::span<const std::uint32_t> textures,
-               long heap_capacity, std::size_t entry_bytes,
-               OpenedCells opened = OpenedCells::forgotten)
+               long heap_capacity, std::size_t entry_bytes, double known_share = 0)
         : block_(block.data()),
           textures_(textures.data()),
           heap_capacity_(static_cast<int>(heap_capacity)),
+          known_share_(known_share),
           order_(static_cast<std::size_t>(heap_capacity)),
           records_(static_cast<std::size_t>(heap_capacity) * entry_bytes) {
-        if (opened == OpenedCells::known) known_.emplace();
+        if (known_share > 0) known_.emplace();
     }
 
     [[nodiscard]] std::uint32_t shape_word(std::uint32_t address) const noexcept {
@@ -60,13 +59,14 @@ class NativeNode {
     }
     [[nodiscard]] bool knows(const kernels::Search<Real>& search,
                              const kernels::Cell<Real>& cell) noexcept {
-        return known_ && knows_cell(*this, *known_, search, cell);
+        return known_ && knows_cell(*this, *known_, known_share_, search, cell);
     }
 
   private:
     const std::uint32_t* block_;
     const std::uint32_t* textures_;
     int heap_capacity_;
+    double known_share_;
     std::vector<std::uint32_t> order_;
     std::vector<std::byte> records_;
     std::optional<KnownCells> known_;

@@ -43,11 +43,11 @@ std::string square_of_coinciding_cells(int side) {
            "render { volume: sphere  detail: 2 }\n";
 }
 
-std::vector<SeenPixel> look_at(const host::CompiledScene& scene, host::OpenedCells opened) {
+std::vector<SeenPixel> look_at(const host::CompiledScene& scene, double known_share) {
     using Node = host::NativeNode<double>;
     const std::vector<std::uint32_t> block = host::make_scene_block<double>(scene);
     Node node(block, scene.texture_words, host::crowded_heap, sizeof(kernels::Cell<double>),
-              opened);
+              known_share);
     const auto side = [](long pixels) { return static_cast<std::uint32_t>(pixels); };
     std::vector<SeenPixel> pixels;
     kernels::pixel_program<kernels::plain_features>(

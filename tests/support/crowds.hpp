@@ -25,9 +25,8 @@ struct SeenPixel {
     std::uint64_t tested;  // volumes
 };
 
-/// All pixels, in double, with a heap that crowds do not fill, by nodes with an account of opened
-/// cells or without.
-[[nodiscard]] std::vector<SeenPixel> look_at(const host::CompiledScene& scene,
-                                             host::OpenedCells opened);
+/// All pixels, in double, with a heap that crowds do not fill, by nodes that tell opened cells
+/// apart at that share of a pixel; 0: every word is opened.
+[[nodiscard]] std::vector<SeenPixel> look_at(const host::CompiledScene& scene, double known_share);
 
 }  // namespace pxm::test

@@ -74,9 +74,9 @@ TEST(AsmKernels, a_cell_is_as_large_as_by_the_kernel) {
 }
 TEST(AsmKernels, a_cell_is_met_as_by_the_kernel) {
     expect_row("meet", words_of("meet", {"approach", "volume"}, ".equ volume_at, 0\n"),
-               try_meet(Volume::sphere, 67, 20'000));
+               try_meet(Volume::sphere, 67, 5'000));
 }
-TEST(AsmKernels, so_is_a_cell_with_a_box) { try_meet(Volume::box, 72, 20'000); }
+TEST(AsmKernels, so_is_a_cell_with_a_box) { try_meet(Volume::box, 72, 5'000); }
 TEST(AsmKernels, rounding_decides_about_flat_cells_as_by_the_kernel) {
     try_flat_meetings(68, 5'000);
 }
@@ -89,8 +89,8 @@ TEST(AsmKernels, a_surface_is_lit_as_by_the_kernel) {
     expect_row("lambert", words_of("lambert", {}, block), try_lambert(70, 10'000));
 }
 TEST(AsmKernels, a_cell_is_shaded_along_its_word_as_by_the_kernel) {
-    try_walk(Volume::sphere, 73, 5'000);
-    try_walk(Volume::box, 74, 5'000);
+    try_walk(Volume::sphere, 73, 1'000);
+    try_walk(Volume::box, 74, 1'000);
 }
 TEST(AsmKernels, a_heap_of_cells_with_words_is_ordered_as_by_the_kernel) {
     const HeapCycles cycles = try_cell_heap(71, 6'000);

@@ -1,4 +1,4 @@
-// Laws of the node program in DSP32 code that take larger pictures.
+// Laws of the node program in DSP32 code that take many pictures or larger ones.
 #include <algorithm>
 
 #include "host/output/cost_model_json.hpp"
@@ -10,6 +10,30 @@ namespace {
 TEST(AssembledMachine, larger_pictures_are_those_of_the_counted_kernels) {
     for (const char* name : {"tetra", "menger", "elm"})
         expect_same(name, assembled("964dX", 160, 120));
+}
+
+TEST(AssembledMachine, so_are_systems_with_boxes) {
+    for (const char* name : {"menger", "tetra", "elm", "octo", "twindragon"}) {
+        RenderRequest request = assembled("964dX", 20, 15);
+        request.overrides.volume = VolumeKind::box;
+        expect_same(name, request);
+    }
+    // As the scene is, and from within.
+    RenderRequest request = test::on_machine("964dX", 20, 15);
+    request.code = NodeCode::assembled;
+    expect_same("menger", request);
+    request.overrides.zoom = 3;
+    expect_same("menger", request);
+}
+
+TEST(AssembledMachine, so_are_pictures_with_constants_by_determinant_samples_and_levels) {
+    RenderRequest request = assembled("920", 17, 13);
+    request.overrides.lipschitz = LipschitzMethod::determinant;
+    request.overrides.samples = 3;
+    request.overrides.zoom = 4;
+    expect_same("elm", request);
+    request.overrides.levels = 2;
+    expect_same("tetra", request);
 }
 
 /// The slowest node's cycles.

@@ -34,30 +34,6 @@ TEST(AssembledMachine, so_are_other_systems_of_maps) {
         expect_same(name, assembled("964dX", 16, 12));
 }
 
-TEST(AssembledMachine, so_are_systems_with_boxes) {
-    for (const char* name : {"menger", "tetra", "elm", "octo", "twindragon"}) {
-        RenderRequest request = assembled("964dX", 20, 15);
-        request.overrides.volume = VolumeKind::box;
-        expect_same(name, request);
-    }
-    // As the scene is, and from within.
-    RenderRequest request = test::on_machine("964dX", 20, 15);
-    request.code = NodeCode::assembled;
-    expect_same("menger", request);
-    request.overrides.zoom = 3;
-    expect_same("menger", request);
-}
-
-TEST(AssembledMachine, so_are_pictures_with_constants_by_determinant_samples_and_levels) {
-    RenderRequest request = assembled("920", 17, 13);
-    request.overrides.lipschitz = LipschitzMethod::determinant;
-    request.overrides.samples = 3;
-    request.overrides.zoom = 4;
-    expect_same("elm", request);
-    request.overrides.levels = 2;
-    expect_same("tetra", request);
-}
-
 TEST(AssembledMachine, an_eye_within_the_attractor_sees_what_the_kernels_see) {
     RenderRequest request = assembled("964dX", 16, 12);
     request.overrides.zoom = 40;

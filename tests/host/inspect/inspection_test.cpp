@@ -76,7 +76,7 @@ TEST(Inspection, fixed_points_are_fixed) {
 }
 
 TEST(Inspection, every_key_is_there_and_the_same_each_time) {
-    const std::string path = source_dir + "/scenes/devils_staircase.pxm";
+    const std::string path = source_dir + "/scenes/tetra.pxm";
     const std::string text = host::inspect_json(inspect_file(path));
     expect_inspect_keys(json::parse(text), path);
     EXPECT_EQ(text, host::inspect_json(inspect_file(path)));

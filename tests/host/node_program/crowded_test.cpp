@@ -42,8 +42,8 @@ TEST(Crowded, are_not_systems_with_loose_volumes) {
 /// Where cells coincide, the first word of the definition is the one that is opened.
 TEST(Crowded, cells_that_coincide_give_the_same_picture_when_opened_once) {
     const CompiledScene scene = compile_text(square_of_coinciding_cells(12));
-    const std::vector<SeenPixel> known = look_at(scene, OpenedCells::known);
-    const std::vector<SeenPixel> every_word = look_at(scene, OpenedCells::forgotten);
+    const std::vector<SeenPixel> known = look_at(scene, known_share(scene));
+    const std::vector<SeenPixel> every_word = look_at(scene, 0);
     ASSERT_EQ(known.size(), 144U);
     std::uint64_t fewer = 0, more = 0;
     for (std::size_t i = 0; i < known.size(); ++i) {
@@ -123,8 +123,8 @@ TEST(KnownCells, what_lies_deep_in_a_map_that_hardly_shrinks_is_found) {
                 translate: -0.030825889490260838,-0.33505172513605685,-0.6148768789167859
         })");
     ASSERT_TRUE(has_crowded_objects(scene));
-    const std::vector<SeenPixel> known = look_at(scene, OpenedCells::known);
-    const std::vector<SeenPixel> every_word = look_at(scene, OpenedCells::forgotten);
+    const std::vector<SeenPixel> known = look_at(scene, known_share(scene));
+    const std::vector<SeenPixel> every_word = look_at(scene, 0);
     ASSERT_EQ(known.size(), every_word.size());
     for (std::size_t i = 0; i < known.size(); ++i)
         EXPECT_EQ(known[i].outcome, every_word[i].outcome) << i;

@@ -71,7 +71,7 @@ TEST(KnownSurfacesInBoxes, lose_no_ray_in_the_faces_between_them) {
 /// In perspective the rays through the places of a pixel part: no place is lost where cells touch
 /// that are not equally deep.
 TEST_P(KnownSurfaces, are_opaque_by_area) {
-    for (const char* name : {"along_z", "near", "near_somewhere"}) {
+    for (const char* name : {"near", "near_somewhere"}) {
         const CompiledScene scene = scene_of(GetParam(), view(name), "covers: area");
         EngineChoice choice;
         const bool wide = wide::why_not_wide(scene, Numeric::single).empty();

@@ -1,0 +1,10 @@
+#include "tests/dsp_kernels/asm/many_inputs.hpp"
+
+namespace pxm::kernels {
+namespace {
+
+INSTANTIATE_TEST_SUITE_P(Dsp32, AsmKernelsOnManyInputs, testing::Values(1'000'000),
+                         [](const auto&) { return "a_million"; });
+
+}  // namespace
+}  // namespace pxm::kernels
