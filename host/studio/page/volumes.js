@@ -4,7 +4,8 @@ import * as decimal from './decimal.js';
 import { add, cross, followed, identity, inverse, length, point, scaled, subtract, unit } from './vectors.js';
 
 export const most_cells = 1500;  // drawn at once
-const sides = 40;         // of the polygon that a ball's outline is drawn as
+const round_sides = 96, rough_sides = 32;  // of the polygon that a ball's outline is drawn as: few, many
+const few = 100;          // balls
 
 /// Every word of maps of one level that the graph allows: { set, maps }, at most `most_cells`.
 export function wordsOf(graph, level) {
@@ -23,7 +24,7 @@ export const setOf = (graph, maps) => (maps.length > 0 ? graph.inside[maps.at(-1
 export const mapOfWord = (matrices, maps) => maps.reduceRight((all, m) => followed(all, matrices[m]), identity);
 
 /// The outline of a ball as `map` leaves it, seen by a camera: points of the world.
-export function outlineOf(bounds, map, camera) {
+export function outlineOf(bounds, map, camera, sides = round_sides) {
   const back = inverse(map);
   if (!back) return null;
   const look = camera.look.map(decimal.toNumber);
@@ -62,6 +63,12 @@ export class Volumes {
     this.chosen = null;     // of these, the one that is pointed at
   }
 
+  /// Whether the level has more cells than are drawn.
+  overflows() {
+    const { ifs = [] } = this.scene()?.checked ?? {};
+    return this.level > 0 && ifs.some(i => i.graph && wordsOf(i.graph, this.level) === null);
+  }
+
   isEmpty() { return this.level < 0 && this.cells.length === 0; }
 
   draw(context) {
@@ -71,6 +78,7 @@ export class Volumes {
       const ifs = scene.checked.ifs.find(i => i.name === object.ifs);
       return ifs?.graph ? (wordsOf(ifs.graph, this.level) ?? []).map(c => ({ object: object.name, maps: c.maps, what: 'level' })) : [];
     });
+    this.sides = drawn.length + this.cells.length > few ? rough_sides : round_sides;
     for (const cell of [...drawn, ...this.cells]) if (cell !== this.chosen) this.drawCell(context, scene, cell, cell.what);
     if (this.chosen) this.drawCell(context, scene, this.chosen, 'chosen');
   }
@@ -94,7 +102,7 @@ export class Volumes {
   }
 
   ballLines(bounds, map, scene) {
-    const outline = outlineOf(bounds, map, scene.camera)?.map(scene.toScreen);
+    const outline = outlineOf(bounds, map, scene.camera, this.sides)?.map(scene.toScreen);
     return outline?.every(p => p.ahead > 0) ? outline.map((p, i) => [p, outline[(i + 1) % outline.length]]) : null;
   }
   boxLines(bounds, map, scene) {
