@@ -403,6 +403,8 @@ const tests = {
     await page.click('#save-form button.main');
     await page.waitForFunction(() => studio.saved === studio.text && !studio.shipped);
     assert.match(readFileSync(join(studio.folder, 'mine.pxm'), 'utf8'), /ifs mine/);
+    await page.click('#home');
+    await page.waitForSelector('#own-cards [title="mine.pxm"]');  // without a reload
     return opened;
   },
 
@@ -572,6 +574,21 @@ async function lawsOfModules() {
   const outline = tokens.outlineOf(text);
   law('maps are found', outline.ifs[0].maps.length === 2 && outline.ifs[0].maps[0].name === 'b');
   law('an edit changes its place', edits.setArgument(text, outline.ifs[0].maps[0].directives[1], 0, '0.25') === text.replace('1/2', '0.25'));
+  const { PictureParts } = await import('/picture_parts.js');
+  const said = new TextEncoder().encode('{"engine":"native"}'), red = 0xff0000ff, blue = 0xffff0000;
+  for (const machine of [0, 1]) {
+    // 5 columns and 2 rows: a block that is red but for one pixel, and one that is blue.
+    const shorts = (...numbers) => [...new Uint8Array(Uint16Array.from(numbers).buffer)], words = (...numbers) => [...new Uint8Array(Uint32Array.from(numbers).buffer)];
+    const bytes = [...shorts(5, 2, machine, 0),
+      ...shorts(0, 0, 3, 2, 1, 1, 1, 1), ...words(red, blue), ...(machine ? words(1, 2, 3, 4, 5, 6) : []),
+      ...shorts(3, 0, 2, 2, 3, 0, 0, 0), ...words(blue), ...(machine ? words(7, 8, 9, 10) : []), ...new Array(20).fill(0), ...said];
+    for (const length of [1, 2, 3, 5, 7, 16, 1000]) {
+      const parts = new PictureParts(new ImageData(new Uint8ClampedArray(40).fill(7), 5, 2));
+      for (let at = 0; at < bytes.length; at += length) parts.add(Uint8Array.from(bytes.slice(at, at + length)));
+      law(`a picture that comes by ${length} bytes`, [...new Uint32Array(parts.pixels.data.buffer)].join() === [red, red, red, blue, blue, red, blue, red, blue, blue].join() &&
+        (machine ? [...parts.cycles].join() === '1,2,3,7,8,4,5,6,9,10' : parts.cycles === null) && parts.last().engine === 'native' && parts.fresh.length === 2);
+    }
+  }
   const graph = await import('/graph_edits.js');
   const rules = 'ifs a {\n    newmap one scale: 0.5\n    newmap scale: 0.4   # two\n    newmap scale: 0.3\n    follow: one -> 2, 3\n    follow: 2 -> one  # only\n    follow: 3 -> 3\n    start: one, 3\n}\n';
   const blockOf = t => tokens.outlineOf(t).ifs[0];

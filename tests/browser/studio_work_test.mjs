@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { cpus, loadavg, tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { openPage, settled, startBrowser, startStudio, tasksWhile } from './studio.mjs';
 
@@ -11,9 +11,11 @@ const program = resolve(process.argv[2]);
 const only = process.argv[3];
 const scenes = new URL('../../scenes/', import.meta.url);
 // The times are printed, and stand in docs/measurements/studio.md. Where others are busy on the computer, too,
-// what is measured may be theirs: of a few attempts one has to be within the bound.
+// what is measured may be theirs: of a few attempts one has to be within the bound, and time on the wall
+// counts by the share of a processor that one gets.
 const attempts = 4;
-const limit_ms = 20;         // in which what is given up has to end
+const crowding = () => Math.max(1, loadavg()[0] / cpus().length);
+const limit_ms = () => 20 * crowding();  // in which what is given up has to end
 const longest_ms = 50;       // that the page may be busy at a time
 const preparing_ms = 1000;   // in which preparing ends
 
@@ -93,11 +95,11 @@ const tests = {
       return server.stops;
     });
     let stops = [];
-    for (let i = 0; i < attempts && !(median(stops) < limit_ms); ++i) {
+    for (let i = 0; i < attempts && !(median(stops) < limit_ms()); ++i) {
       stops = await tried();
-      console.log(`  ${stops.length} pictures ended ${median(stops).toFixed(1)} ms after they were given up, at most ${Math.max(...stops).toFixed(1)}`);
+      console.log(`  ${stops.length} pictures ended ${median(stops).toFixed(1)} ms after they were given up, at most ${Math.max(...stops).toFixed(1)}; ${crowding().toFixed(1)} want each processor`);
     }
-    assert.ok(stops.length >= 10 && median(stops) < limit_ms);
+    assert.ok(stops.length >= 10 && median(stops) < limit_ms());
     return opened;
   },
 
@@ -178,6 +180,9 @@ const tests = {
     assert.deepEqual([await cells(0), await cells(1), await cells(3), await cells(9)], [1, 4, 64, null]);
     await page.fill('#volume-level', '3');
     assert.equal(await page.textContent('#volume-number'), 'level 2');
+    await page.fill('#volume-level', '9');
+    assert.equal(await page.textContent('#volume-number'), 'level 8: too many');
+    await page.fill('#volume-level', '3');
     // A ball's outline goes round all that its cell shows: the whole's round the picture of the whole.
     const inside = await page.evaluate(async () => {
       const { outlineOf } = await import('/volumes.js');

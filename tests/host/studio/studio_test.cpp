@@ -268,7 +268,7 @@ TEST_F(StudioTest, ends_while_a_picture_is_rendered) {
 
 class HurriedStudioTest : public StudioTest {
   protected:
-    HurriedStudioTest() : StudioTest(0.2) {}
+    HurriedStudioTest() : StudioTest(0.05) {}
 };
 
 TEST_F(HurriedStudioTest, ends_what_would_take_hours) {
