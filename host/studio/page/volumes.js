@@ -1,11 +1,11 @@
 // Bounding volumes over the picture (Ch. 14): those of all cells of one level, or of the cells that one
 // ray met.
-import * as decimal from './decimal.js';
+import { lookOf } from './camera.js';
 import { add, cross, followed, identity, inverse, length, point, scaled, subtract, unit } from './vectors.js';
 
-export const most_cells = 1500;  // drawn at once
-const round_sides = 96, rough_sides = 32;  // of the polygon that a ball's outline is drawn as: few, many
-const few = 100;          // balls
+export const most_cells = 600;  // drawn at once: more are not told apart, and take a frame longer than one notices
+const round_sides = 96, rough_sides = 12;  // of the polygon that a ball's outline is drawn as
+const most_edges = 1500;   // of all of them, so that a frame is drawn soon
 
 /// Every word of maps of one level that the graph allows: { set, maps }, at most `most_cells`.
 export function wordsOf(graph, level) {
@@ -27,7 +27,7 @@ export const mapOfWord = (matrices, maps) => maps.reduceRight((all, m) => follow
 export function outlineOf(bounds, map, camera, sides = round_sides) {
   const back = inverse(map);
   if (!back) return null;
-  const look = camera.look.map(decimal.toNumber);
+  const look = lookOf(camera);
   const eye = point(back, add(look, scaled(camera.away, camera.distance)));
   let to = subtract(eye, bounds.center), middle = bounds.center, radius = bounds.radius;
   if (camera.width === null) {
@@ -78,24 +78,28 @@ export class Volumes {
       const ifs = scene.checked.ifs.find(i => i.name === object.ifs);
       return ifs?.graph ? (wordsOf(ifs.graph, this.level) ?? []).map(c => ({ object: object.name, maps: c.maps, what: 'level' })) : [];
     });
-    this.sides = drawn.length + this.cells.length > few ? rough_sides : round_sides;
-    for (const cell of [...drawn, ...this.cells]) if (cell !== this.chosen) this.drawCell(context, scene, cell, cell.what);
-    if (this.chosen) this.drawCell(context, scene, this.chosen, 'chosen');
+    this.sides = Math.max(rough_sides, Math.min(round_sides, Math.round(most_edges / (drawn.length + this.cells.length))));
+    const cells = [...drawn, ...this.cells].filter(cell => cell !== this.chosen);
+    for (const what of new Set(cells.map(cell => cell.what))) this.stroke(context, cells.filter(cell => cell.what === what).flatMap(cell => this.linesOf(cell, scene)), what);
+    if (this.chosen) this.stroke(context, this.linesOf(this.chosen, scene), 'chosen');
   }
 
-  drawCell(context, scene, cell, what) {
+  linesOf(cell, scene) {
     const object = scene.checked.objects.find(o => o.name === cell.object);
     const ifs = object && scene.checked.ifs.find(i => i.name === object.ifs);
-    if (!ifs?.graph) return;
+    if (!ifs?.graph) return [];
     const map = followed(mapOfWord(ifs.maps.map(m => m.matrix), cell.maps), object.matrix);
     const bounds = ifs.graph.sets[setOf(ifs.graph, cell.maps)];
-    const lines = this.kind === 'box' ? this.boxLines(bounds, map, scene) : this.ballLines(bounds, map, scene);
-    if (!lines) return;
+    return (this.kind === 'box' ? this.boxLines(bounds, map, scene) : this.ballLines(bounds, map, scene)) ?? [];
+  }
+
+  /// All lines of a kind at once; what lies under them is darkened a little, if they are not very many.
+  stroke(context, lines, what) {
     context.beginPath();
     for (const [a, b] of lines) { context.moveTo(a.x, a.y); context.lineTo(b.x, b.y); }
     context.lineWidth = what === 'chosen' ? 5 : 2.5;
     context.strokeStyle = 'rgba(0,0,0,0.5)';
-    context.stroke();
+    if (lines.length < 2 * most_edges) context.stroke();
     context.lineWidth = what === 'chosen' ? 2.5 : 1;
     context.strokeStyle = { chosen: '#ffc24d', missed: 'rgba(255,125,114,0.65)', level: 'rgba(127,224,180,0.85)' }[what] ?? 'rgba(140,190,255,0.9)';
     context.stroke();
