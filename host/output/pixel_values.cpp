@@ -114,6 +114,25 @@ void put_srgb_bytes(std::span<const PixelRecord> pixels, unsigned char* to) {
     }
 }
 
+void put_srgb_words(std::span<const PixelRecord> pixels, std::uint32_t* to) {
+    constexpr std::uint32_t opaque = 0xFF00'0000U;
+    constexpr unsigned green = 8, blue = 16;  // bits above red
+    using Bits = std::array<std::uint32_t, 3>;
+    const ByteTable& table = byte_table();
+    Bits last{};  // black
+    std::uint32_t word = opaque;
+    for (const PixelRecord& pixel : pixels) {
+        const auto bits = std::bit_cast<Bits>(pixel.color);
+        if (bits != last) {
+            word = opaque | table.of(pixel.color[0]) |
+                   static_cast<std::uint32_t>(table.of(pixel.color[1])) << green |
+                   static_cast<std::uint32_t>(table.of(pixel.color[2])) << blue;
+            last = bits;
+        }
+        *to++ = word;
+    }
+}
+
 // Programs that find no A take another channel for it, or the picture for transparent.
 std::vector<std::string> FloatChannels::names() const {
     std::vector<std::string> names{"R", "G", "B"};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ namespace pxm::host {
 
 /// Writes three bytes a pixel.
 void put_srgb_bytes(std::span<const PixelRecord> pixels, unsigned char* to);
+
+/// Writes four bytes a pixel, of which the last is 255, as one number: red is its lowest byte.
+void put_srgb_words(std::span<const PixelRecord> pixels, std::uint32_t* to);
 
 /// The channels of a file: red, green, blue, in an opaque file A, which is 1 as the colour has the
 /// background in it, and those of `aovs`.

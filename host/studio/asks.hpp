@@ -16,7 +16,7 @@ inline constexpr long asked_side_pixels = 4096;
 inline constexpr long asked_pixels = 4L << 20U;  // 16 MB as the page has them
 inline constexpr long asked_samples = 64;
 inline constexpr std::size_t asked_maps = 2000;  // of a scene that is inspected while it is shaped
-inline constexpr double asked_seconds = 600;     // that a picture may take
+inline constexpr double asked_seconds = 600;     // that the answer may take
 
 /// Which page asks, and with what number: of its questions of one kind the newest counts.
 struct Asking {

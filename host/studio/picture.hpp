@@ -10,8 +10,8 @@
 
 namespace pxm::host {
 
-/// Renders until `stop` is set, by others or because it takes too long. `progress` hears which
-/// share is done, from any thread. Throws as render().
+/// Renders until `stop` is set. `progress` hears which share is done, from any thread. Throws as
+/// render().
 [[nodiscard]] RenderResult render_asked(const AskedPicture& asked, int threads,
                                         std::atomic<bool>& stop,
                                         const std::function<void(double)>& progress,

@@ -22,6 +22,13 @@ std::string whole_file(const std::string& path) {
 /// The scene's own name, without its folders: titles have it.
 std::string bare_name(const std::string& name) { return name.substr(name.rfind('/') + 1); }
 
+/// The text with names of files in a folder that is gone by then as names alone.
+std::string without_folder(std::string text, const std::string& folder) {
+    for (std::size_t at = 0; (at = text.find(folder + "/", at)) != std::string::npos;)
+        text.erase(at, folder.size() + 1);
+    return text;
+}
+
 }  // namespace
 
 StudyFindings study_asked(const AskedStudy& asked, int threads, const std::atomic<bool>& stop,
@@ -42,9 +49,10 @@ StudyFindings study_asked(const AskedStudy& asked, int threads, const std::atomi
     for (const char* name : table_names) {
         const std::string table = request.folder + "/" + name + ".csv";
         if (std::filesystem::exists(table))
-            findings.tables.push_back({std::string(name) + ".csv", whole_file(table)});
+            findings.tables.push_back(
+                {std::string(name) + ".csv", without_folder(whole_file(table), folder.path())});
     }
-    findings.report = whole_file(request.folder + "/report.html");
+    findings.report = without_folder(whole_file(request.folder + "/report.html"), folder.path());
     return findings;
 }
 

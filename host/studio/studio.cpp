@@ -17,6 +17,7 @@
 #include "host/studio/asks_json.hpp"
 #include "host/studio/assets.hpp"
 #include "host/studio/brought_file.hpp"
+#include "host/studio/deadline.hpp"
 #include "host/studio/gate.hpp"
 #include "host/studio/http_server.hpp"
 #include "host/studio/jobs.hpp"
@@ -147,19 +148,25 @@ class Studio::Desk {
         return answer_of(saved_json(saved, done ? folder_.open(asked.name).digest : ""));
     }
 
-    /// Waits for the turn, works, and says so if something newer has come.
+    /// Waits for the turn, works, and says so if something newer has come. Throws Error: it takes
+    /// too long.
     template <class Work>
     HttpAnswer in_turn(const Asking& asking, const Work& work) {
         auto turn = turns_.take(asking.view, asking.serial);
         if (!turn) return answer_of(superseded_json(0));
         const MayGiveUp leave(turn->stop());
+        const Deadline deadline(turn->stop(), settings_.seconds);
+        HttpAnswer answer;
         try {
-            HttpAnswer answer = work(turn->stop());
-            if (turn->stop()) return answer_of(superseded_json(turn->stopping_milliseconds()));
-            return answer;
+            answer = work(turn->stop());
         } catch (const GivenUp&) {
-            return answer_of(superseded_json(turn->stopping_milliseconds()));
+            // It is told below, with what was stopped at its end.
         }
+        if (deadline.has_passed())
+            throw Error(ErrorKind::failed,
+                        "this takes longer than the studio waits; pxm itself has no limit");
+        if (turn->stop()) return answer_of(superseded_json(turn->stopping_milliseconds()));
+        return answer;
     }
 
     HttpAnswer check(const HttpRequest& request) {

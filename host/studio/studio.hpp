@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "host/studio/asks.hpp"
+
 namespace pxm::host {
 
 struct StudioSettings {
@@ -14,6 +16,7 @@ struct StudioSettings {
     std::string scene;         // below the folder; empty: the gallery
     int port = 0;              // 0: one that is free
     int threads = 1;           // of each render
+    double seconds = asked_seconds;  // that whatever a page asks for may take
 };
 
 class Studio {

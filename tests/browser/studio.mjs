@@ -72,6 +72,23 @@ export async function settled(page) {
   }
 }
 
+/// The longest tasks of the page's thread while something is done, milliseconds of its own time.
+export async function tasksWhile(page, work) {
+  const session = await page.context().newCDPSession(page);
+  const events = [];
+  session.on('Tracing.dataCollected', ({ value }) => events.push(...value));
+  await session.send('Tracing.start', { transferMode: 'ReportEvents', traceConfig: { includedCategories: ['toplevel', 'devtools.timeline', 'disabled-by-default-devtools.timeline'] } });
+  await work();
+  const complete = new Promise(done => session.once('Tracing.tracingComplete', done));
+  await session.send('Tracing.end');
+  await complete;
+  await session.detach();
+  const scripts = events.filter(e => e.name === 'FunctionCall' && e.args?.data?.url?.startsWith(new URL(page.url()).origin));
+  const threads = new Set((scripts.length > 0 ? scripts : events.filter(e => e.name === 'FunctionCall')).map(e => `${e.pid} ${e.tid}`));
+  const tasks = events.filter(e => e.name === 'RunTask' && e.ph === 'X' && threads.has(`${e.pid} ${e.tid}`));
+  return { count: tasks.length, longest: Math.max(...tasks.map(e => (e.tdur ?? e.dur) / 1000)), own_time: tasks.some(e => e.tdur !== undefined) };
+}
+
 /// Pixels as one text, to compare: of the picture in the page, or of a PNG's bytes.
 export const pixelsOf = (page, png = null) => page.evaluate(async base64 => {
   const source = base64 === null ? document.getElementById('picture')

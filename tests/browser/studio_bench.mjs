@@ -3,10 +3,10 @@ import { execFileSync } from 'node:child_process';
 import { cpSync, readFileSync } from 'node:fs';
 import { loadavg, cpus } from 'node:os';
 import { join, resolve } from 'node:path';
-import { openPage, settled, startBrowser, startStudio } from './studio.mjs';
+import { openPage, settled, startBrowser, startStudio, tasksWhile } from './studio.mjs';
 
 const [program, scene] = process.argv.slice(2).map(p => resolve(p));
-const turns = 40, crowd = 2000;
+const turns = 40, crowd = 10_000;
 const median = list => [...list].sort((a, b) => a - b)[Math.floor(list.length / 2)];
 const memory = pid => Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/status`, 'utf8'))[1]) / 1024;
 
@@ -61,7 +61,19 @@ try {
     return { times, stops: server.stops };
   });
 
-  const before = memory(studio.child.pid);
+  const drag = async () => {
+    const box = await page.locator('#handles').boundingBox();
+    await page.mouse.move(box.x + 12, box.y + 12);
+    await page.mouse.down();
+    for (let i = 1; i <= 60; ++i) await page.mouse.move(box.x + 12 + 2 * i, box.y + 12 + 20 * Math.sin(i / 5));
+    await page.mouse.up();
+  };
+  const tasks = await tasksWhile(page, drag);
+  await settled(page);
+
+  const session = await page.context().newCDPSession(page);
+  const heap = async () => { await session.send('HeapProfiler.collectGarbage'); return (await session.send('Runtime.getHeapUsage')).usedSize / 2 ** 20; };
+  const before = memory(studio.child.pid), heapBefore = await heap();
   await page.evaluate(async count => {
     for (let i = 0; i < count; ++i) {
       const { orbited } = await import('/camera.js');
@@ -78,7 +90,8 @@ try {
   for (const [name, list] of Object.entries(trace)) console.log(`  ${name}: ${median(list).toFixed(1)} ms`);
   console.log(`a picture that is overtaken makes room, median: ${median(overtaken).toFixed(0)} ms`);
   console.log(`its work goes on after that, median of ${stops.length}: ${median(stops).toFixed(1)} ms, at most ${Math.max(...stops).toFixed(1)} ms`);
-  console.log(`memory of the program before and after ${crowd} turns: ${before.toFixed(0)} and ${memory(studio.child.pid).toFixed(0)} MB`);
+  console.log(`memory of the program before and after ${crowd} turns: ${before.toFixed(0)} and ${memory(studio.child.pid).toFixed(0)} MB, of the page's heap: ${heapBefore.toFixed(1)} and ${(await heap()).toFixed(1)} MB`);
+  console.log(`the longest of ${tasks.count} tasks of the page's thread while one drags: ${tasks.longest.toFixed(1)} ms${tasks.own_time ? ' of its own time' : ''}`);
 } finally {
   await browser.close();
   await studio.stop();

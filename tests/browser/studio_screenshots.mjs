@@ -1,6 +1,7 @@
 // node studio_screenshots.mjs PXM FOLDER [NAME]: the main states of the studio as pictures.
-import { cpSync, mkdirSync } from 'node:fs';
+import { cpSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
+import { withPalette } from './palette_png.mjs';
 import { openPage, settled, startBrowser, startStudio } from './studio.mjs';
 
 const [program, out, only = ''] = process.argv.slice(2);
@@ -20,7 +21,7 @@ async function shoot(name, hash, prepare = async () => {}) {
   const { page } = await openPage(context, studio.address, hash);
   page.setDefaultTimeout(180_000);
   await prepare(page);
-  await page.screenshot({ path: join(out, `${name}.png`) });
+  writeFileSync(join(out, `${name}.png`), withPalette(await page.screenshot()));
   await page.close();
   console.log(join(out, `${name}.png`));
 }
@@ -37,7 +38,7 @@ try {
   await shoot('graph', '#scene=pound_sign.pxm', async page => {
     await settled(page);
     await page.evaluate(() => { const graph = document.querySelector('.graph'); graph.open = true; graph.scrollIntoView(); });
-    await page.fill('#volume-level', '3');
+    await page.fill('#volume-level', '2');
   });
   await shoot('descent', '#scene=tetra.pxm&tab=machine', async page => {
     await settled(page);
@@ -49,16 +50,14 @@ try {
   await shoot('plant', '', async page => {
     await page.click('#new');
     await settled(page);
-    await page.evaluate(() => studio.edit(`# two copies of the whole: where do they stand?
-ifs mine {
-    newmap scale: 0.85 translate: 0,0.4,0 rotate: z,3 color: 0.2,0.6,0.3,0.4
-    newmap scale: 0.4 rotate: z,50 translate: 0,0.4,0 color: 0.8,0.7,0.2,0.4
-    newmap scale: 0.4 rotate: z,50 translate: 0,0.4,0 scale: -1,1,1 color: 0.8,0.7,0.2,0.4
-    newmap scale: 0.03,0.35,0.03 translate: 0,0,0
-}
-`));
+    await page.click('.map-title >> nth=1');
+    await page.click('.card.open button:text-is("Mirror")');
+    await page.click('button:text-is("+ Map")');
+    await page.click('.card.open button:text-is("x y z")');
+    for (const [axis, value] of Object.entries({ x: '0.03', y: '0.35', z: '0.03' })) await page.fill(`.card.open [aria-label="scale ${axis}"]`, value);
     await settled(page);
     await page.click('.map-title >> nth=1');
+    await page.evaluate(() => document.activeElement.blur());
   });
   await shoot('flight', '#scene=menger.pxm&tab=text', async page => {
     await settled(page);

@@ -3,17 +3,21 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { cpus, loadavg, tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { openPage, settled, startBrowser, startStudio } from './studio.mjs';
+import { openPage, settled, startBrowser, startStudio, tasksWhile } from './studio.mjs';
 
 const program = resolve(process.argv[2]);
 const only = process.argv[3];
 const scenes = new URL('../../scenes/', import.meta.url);
-// The times are printed, and stand in docs/measurements/studio.md. No test is decided by them but one that is
-// this many times slower than they are: then something waits for what it should not.
-const limit_ms = 50 * 20;    // in which what is given up has to end
-const longest_ms = 20 * 50;  // that the page may be busy at a time
+// The times are printed, and stand in docs/measurements/studio.md. Where others are busy on the computer, too,
+// what is measured may be theirs: of a few attempts one has to be within the bound, and time on the wall
+// counts by the share of a processor that one gets.
+const attempts = 4;
+const crowding = () => Math.max(1, loadavg()[0] / cpus().length);
+const limit_ms = () => 20 * crowding();  // in which what is given up has to end
+const longest_ms = 50;       // that the page may be busy at a time
+const preparing_ms = 1000;   // in which preparing ends
 
 /// Maps with rules of their own: a scene whose preparation takes many seconds.
 function heavy(maps) {
@@ -44,23 +48,6 @@ async function scene(name, tab = 'maps') {
   return opened;
 }
 
-/// The longest tasks of the page's thread while something is done, milliseconds of its own time.
-async function tasksWhile(page, work) {
-  const session = await page.context().newCDPSession(page);
-  const events = [];
-  session.on('Tracing.dataCollected', ({ value }) => events.push(...value));
-  await session.send('Tracing.start', { transferMode: 'ReportEvents', traceConfig: { includedCategories: ['toplevel', 'devtools.timeline', 'disabled-by-default-devtools.timeline'] } });
-  await work();
-  const complete = new Promise(done => session.once('Tracing.tracingComplete', done));
-  await session.send('Tracing.end');
-  await complete;
-  await session.detach();
-  const scripts = events.filter(e => e.name === 'FunctionCall' && e.args?.data?.url?.startsWith(studio.address.slice(0, 20)));
-  const threads = new Set((scripts.length > 0 ? scripts : events.filter(e => e.name === 'FunctionCall')).map(e => `${e.pid} ${e.tid}`));
-  const tasks = events.filter(e => e.name === 'RunTask' && e.ph === 'X' && threads.has(`${e.pid} ${e.tid}`));
-  return { count: tasks.length, longest: Math.max(...tasks.map(e => (e.tdur ?? e.dur) / 1000)), own_time: tasks.some(e => e.tdur !== undefined) };
-}
-
 const tests = {
   async the_preparation_of_a_scene_is_given_up() {
     const opened = await open();
@@ -73,7 +60,7 @@ const tests = {
     await page.waitForFunction(() => !studio.checking.runs && !studio.live.running);
     const stops = await stopsOf(page);
     console.log(`  preparing ended ${stops.map(s => s.toFixed(1))} ms after it was given up`);
-    assert.ok(stops.every(ms => ms < limit_ms));  // none is told where the reading was stopped
+    assert.ok(stops.every(ms => ms < preparing_ms));  // none is told where the reading was stopped
     await page.fill('#text', readFileSync(new URL('tetra.pxm', scenes), 'utf8'));
     await settled(page);
     assert.ok(await page.isHidden('#mistakes'), 'another text is read at once');
@@ -96,7 +83,7 @@ const tests = {
   async a_picture_that_is_given_up_ends_soon() {
     const opened = await scene('menger.pxm', 'text');
     const { page } = opened;
-    const stops = await page.evaluate(async () => {
+    const tried = async () => page.evaluate(async () => {
       const server = await import('/server.js');
       server.stops.length = 0;
       for (let i = 0; i < 25; ++i) {
@@ -107,9 +94,12 @@ const tests = {
       }
       return server.stops;
     });
-    console.log(`  ${stops.length} pictures ended ${median(stops).toFixed(1)} ms after they were given up, at most ${Math.max(...stops).toFixed(1)}`);
-    assert.ok(stops.length >= 10);
-    assert.ok(median(stops) < limit_ms);
+    let stops = [];
+    for (let i = 0; i < attempts && !(median(stops) < limit_ms()); ++i) {
+      stops = await tried();
+      console.log(`  ${stops.length} pictures ended ${median(stops).toFixed(1)} ms after they were given up, at most ${Math.max(...stops).toFixed(1)}; ${crowding().toFixed(1)} want each processor`);
+    }
+    assert.ok(stops.length >= 10 && median(stops) < limit_ms());
     return opened;
   },
 
@@ -119,7 +109,7 @@ const tests = {
     await page.click('.map-title >> nth=0');
     await page.fill('#volume-level', '4');
     const box = await canvas(page);
-    const middle = await page.evaluate(() => {
+    const middle = () => page.evaluate(() => {
       const shaping = studio.shaping();
       return studio.handles.middle(studio.handles.cornersIn(shaping, 0).map(c => studio.handles.toScreen(shaping.camera, c)));
     });
@@ -129,16 +119,24 @@ const tests = {
       for (let i = 1; i <= 40; ++i) await page.mouse.move(box.x + x + 2 * i, box.y + y + 20 * Math.sin(i / 5));
       await page.mouse.up();
     };
-    const turning = await tasksWhile(page, () => drag(12, 12));
-    const shaping = await tasksWhile(page, () => drag(middle.x, middle.y));
-    await page.click('#tab-text');
-    const writing = await tasksWhile(page, async () => { await page.focus('#text'); await page.keyboard.type('# a remark\n'); });
-    await settled(page);
-    for (const [name, found] of Object.entries({ turning, shaping, writing })) {
-      console.log(`  ${name}: ${found.count} tasks, the longest ${found.longest.toFixed(1)} ms${found.own_time ? ' of its own time' : ''}`);
-      assert.ok(found.count > 20, `${name} was traced`);
+    const stays = async (name, work) => {
+      let found = null;
+      for (let i = 0; i < attempts && !(found?.longest < longest_ms); ++i) {
+        found = await tasksWhile(page, work);
+        console.log(`  ${name}: ${found.count} tasks, the longest ${found.longest.toFixed(1)} ms${found.own_time ? ' of its own time' : ''}`);
+        assert.ok(found.count > 20, `${name} was traced`);
+      }
       assert.ok(found.longest < longest_ms, `${name}: a task of ${found.longest} ms`);
-    }
+    };
+    await stays('turning', () => drag(12, 12));
+    await page.click('#reset');
+    await settled(page);
+    const before = await page.inputValue('#text');
+    await stays('shaping', async () => { const { x, y } = await middle(); await drag(x, y); });
+    assert.notEqual(await page.inputValue('#text'), before, 'a map was dragged');
+    await page.click('#tab-text');
+    await stays('writing', async () => { await page.focus('#text'); await page.keyboard.type('# a remark\n'); });
+    await settled(page);
     return opened;
   },
 
@@ -182,6 +180,9 @@ const tests = {
     assert.deepEqual([await cells(0), await cells(1), await cells(3), await cells(9)], [1, 4, 64, null]);
     await page.fill('#volume-level', '3');
     assert.equal(await page.textContent('#volume-number'), 'level 2');
+    await page.fill('#volume-level', '9');
+    assert.equal(await page.textContent('#volume-number'), 'level 8: too many');
+    await page.fill('#volume-level', '3');
     // A ball's outline goes round all that its cell shows: the whole's round the picture of the whole.
     const inside = await page.evaluate(async () => {
       const { outlineOf } = await import('/volumes.js');
@@ -340,10 +341,14 @@ const tests = {
     const { page } = opened;
     await page.click('#study-balance');
     await page.waitForSelector('#studies table', { timeout: 180_000 });
-    assert.match(await page.textContent('#studies'), /interleaved/);
+    const found = await page.textContent('#studies');
+    assert.match(found, /interleaved/);
+    assert.ok(/scenes, 1 row/.test(found) && !found.includes('1 rows') && !found.includes('/pxm-studio-'), 'no place of this computer');
     const download = page.waitForEvent('download');
     await page.click('#study-report');
-    assert.match(readFileSync(await (await download).path(), 'utf8'), /<!doctype html>/i);
+    const report = readFileSync(await (await download).path(), 'utf8');
+    assert.match(report, /<!doctype html>/i);
+    assert.ok(report.includes('tetra.pxm') && !report.includes('/pxm-studio-'));
     await page.click('#study-error');
     await page.waitForSelector('#study-stop');
     await page.waitForTimeout(800);

@@ -84,11 +84,20 @@ export function pivoted(camera, place) {
   return { ...camera, look: shifted(eye, scaled(camera.away, -ahead)), distance: ahead };
 }
 
+/// What all points have in common; a camera is never changed, and seventy digits take their time.
+const views = new WeakMap();
+function viewOf(camera) {
+  if (!views.has(camera)) views.set(camera, { ...frameOf(camera), look: camera.look.map(decimal.toNumber), offset: scaled(camera.away, camera.distance) });
+  return views.get(camera);
+}
+
+/// The point looked at, as near as a double says it.
+export const lookOf = camera => viewOf(camera).look;
+
 /// Where a point of the world is in the picture, and how far ahead; coordinates as offsetAt's.
 export function projected(camera, world) {
-  const { forward, right, up } = frameOf(camera);
-  const look = camera.look.map(decimal.toNumber);
-  const from = subtract(subtract(world, look), scaled(camera.away, camera.distance));
+  const { forward, right, up, look, offset } = viewOf(camera);
+  const from = subtract(subtract(world, look), offset);
   const ahead = dot(from, forward);
   const across = camera.width === null ? ahead * camera.halfWidth : halfAcross(camera);
   return { x: dot(from, right) / across, y: dot(from, up) / across, ahead };

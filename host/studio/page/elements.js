@@ -16,20 +16,23 @@ export function element(tag, attributes = {}, ...children) {
 
 export const number = (x, digits = 4) => (Number.isFinite(x) ? String(Number(x.toPrecision(digits))) : '–');
 
+/// 35 ms, or 1.2 s
+export const duration = seconds => (seconds < 1 ? `${number(1000 * seconds, 2)} ms` : `${number(seconds, 3)} s`);
+
 /// 12,345
 export const grouped = x => Math.round(x).toLocaleString('en-US');
 
-/// As a power of ten where it is large.
 /// Puts a text there if it is another: whatever is put is laid out anew.
 export function say(id, text) {
   const place = byId(id);
   if (place.textContent !== text) place.textContent = text;
 }
 
+/// As a power of ten where it is large.
 export function magnificationText(x) {
   if (x < 1e5) return number(x, x < 100 ? 3 : 4);
   const exponent = Math.floor(Math.log10(x));
-  return `${(x / 10 ** exponent).toFixed(1)}·10^${exponent}`;
+  return `${(x / 10 ** exponent).toFixed(1)}·10${String(exponent).replace(/\d/g, d => '⁰¹²³⁴⁵⁶⁷⁸⁹'[d])}`;
 }
 
 /// Maps with what repeats said once: 2 1 1 1 1 1 is 2 1(5).

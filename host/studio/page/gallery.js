@@ -51,11 +51,22 @@ export class Gallery {
     this.thumbnails = new Thumbnails();
     this.open = open;
     byId('folder').textContent = facts.folder;
-    byId('own').hidden = facts.scenes.length === 0;
-    byId('own-cards').replaceChildren(...facts.scenes.map(name =>
-      this.card(name, async () => (await server.open(name)).text, () => open(name, false))));
+    this.showOwn(facts.scenes);
     byId('shipped-cards').replaceChildren(...facts.shipped.map(scene =>
       this.card(scene.name, async () => scene.text, () => open(scene.name, true))));
+  }
+
+  showOwn(names) {
+    byId('own').hidden = names.length === 0;
+    byId('own-cards').replaceChildren(...names.map(name =>
+      this.card(name, async () => (await server.open(name)).text, () => this.open(name, false))));
+  }
+
+  /// After something was saved: there is a scene more, or one looks otherwise.
+  async renew() {
+    try {
+      this.showOwn((await server.start()).scenes);
+    } catch { /* the studio has ended, and says so elsewhere */ }
   }
 
   /// What one has left without saving it.

@@ -36,9 +36,12 @@ export class Handles {
     this.keyed = null;  // that arrow keys move: { map, corner }
   }
 
+  /// Once a frame: whoever asks the page for it has it laid out.
+  measure() { return this.size = { w: this.canvas.clientWidth, h: this.canvas.clientHeight }; }
+
   /// CSS pixels; (0, 0) is at the top left.
   toScreen(camera, world) {
-    const { clientWidth: w, clientHeight: h } = this.canvas;
+    const { w, h } = this.size ?? this.measure();
     const p = projected(camera, world);
     return { x: w / 2 * (1 + p.x), y: h / 2 - w / 2 * p.y, ahead: p.ahead };
   }
@@ -57,7 +60,7 @@ export class Handles {
 
   draw() {
     const ratio = Math.min(devicePixelRatio || 1, 2);
-    const { clientWidth: w, clientHeight: h } = this.canvas;
+    const { w, h } = this.measure();
     const scene = this.scene();
     // A canvas that is cleared is shown anew, which costs as much as a part of the picture under it.
     const empty = !scene && this.over.isEmpty();

@@ -26,7 +26,8 @@ export class Live {
     this.divisor = 4;
     this.wholeTook = Infinity;  // milliseconds, the last whole picture
     this.running = false;
-    this.last = null;  // the picture that is shown whole
+    this.last = null;   // the picture that is shown whole
+    this.spare = null;  // the pixels of the one before it
   }
 
   /// The canvas in device pixels, as many as the program gives. Whether it is of another size now.
@@ -146,7 +147,8 @@ export class Live {
       if (now - looked < pace || !fresh()) return;
       looked = now;
       this.showParts(parts);
-    });
+    }, this.spare);
+    this.spare = null;
     asked.catch(() => {});  // what is wrong with a picture that nobody waits for
     const woken = new Promise(done => { this.wake = () => setTimeout(done, Math.max(0, begin + patience - performance.now()), null); });
     const picture = await Promise.race([asked, woken]);
@@ -174,7 +176,7 @@ export class Live {
     if (pixels.width === this.canvas.width && pixels.height === this.canvas.height) this.context.putImageData(pixels, 0, 0);
     else this.stretch(pixels, false);
     const now = performance.now();
-    if (phase !== 'coarse') this.last = picture;
+    if (phase !== 'coarse') [this.spare, this.last] = [this.last?.pixels ?? null, picture];
     this.told({ kind: 'picture', phase, picture, took: now - begin, since: now - changed });
   }
 

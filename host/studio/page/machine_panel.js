@@ -82,11 +82,12 @@ export class MachinePanel {
   }
 
   choices(picture, size, model) {
-    const button = (group, key, label, title) => element('button', { class: 'small', 'aria-pressed': String(this[group] === key), title, onclick: () => { this[group] = key; this.draw(); } }, label);
+    const button = (group, key, label, title) => element('button', { class: 'small', 'aria-pressed': String(this[group] === key), title, onclick: () => { this[group] = key; this.draw(); } }, ...[label].flat());
     return element('div', {},
-      element('div', { class: 'row', role: 'group', 'aria-label': 'How pixels are shared out' }, ...Object.keys(partitions).map(key =>
-        button('partition', key, `${key} ${number(100 * efficiencyOf(shareOf(picture.cycles, size, model, key)), 3)} %`, 'The mean work of a node over that of the busiest'))),
-      element('div', { class: 'row', role: 'group', 'aria-label': 'What is shown' },
+      element('p', { class: 'note' }, 'Pixels shared out to the nodes so, and how efficient that is:'),
+      element('div', { class: 'partitions', role: 'group', 'aria-label': 'How pixels are shared out' }, ...Object.keys(partitions).map(key =>
+        button('partition', key, [key, element('b', {}, `${number(100 * efficiencyOf(shareOf(picture.cycles, size, model, key)), 3)} %`)], 'The mean work of a node over that of the busiest'))),
+      element('div', { class: 'row', role: 'group', 'aria-label': 'What is shown' }, element('span', { class: 'note' }, 'every node\'s'),
         button('quantity', 'cycles', 'cycles', 'Instruction cycles of 200 ns'), button('quantity', 'heap', 'heap peaks', 'The most cells in a node\'s heap, as it rendered')));
   }
 
@@ -109,7 +110,7 @@ export class MachinePanel {
     const alarms = Object.entries(statistics.alarms).filter(([, n]) => n > 0).map(([k, n]) => `${k}: ${grouped(n)}`).join(', ');
     const row = (name, value) => [element('dt', {}, name), element('dd', {}, value)];
     return element('dl', { class: 'facts' },
-      ...row('its time', `${number(most * second, 4)} s for ${picture.pixels.width} × ${picture.pixels.height}`),
+      ...row('the machine\'s time', `${number(most * second, 4)} s for ${picture.pixels.width} × ${picture.pixels.height}`),
       ...row('efficiency', `${number(100 * efficiencyOf(sums), 4)} %`),
       ...row('cycles a node', `${grouped(Math.min(...sums))} to ${grouped(most)}`),
       ...row('cycles in all', grouped(sums.reduce((a, b) => a + b, 0))),

@@ -74,16 +74,16 @@ export class MapsPanel {
     if (!this.beginning()) return [];
     const step = (...words) => element('li', {}, ...words);
     return [element('details', { class: 'hint', open: !sessionStorage.getItem(folded), ontoggle: e => sessionStorage.setItem(folded, e.target.open ? '' : 'yes') }, element('summary', {}, 'How to make a plant'), element('ol', {},
-      step('Open Map 1 below. It is the plant without its lowest leaves: nearly the whole, higher up. Make its scale 0.85 and its translate y 0.4, and add a rotate by z and 3 degrees, so that it bends: what is flat turns about z.'),
-      step('Open Map 2: the first leaf. Scale 0.4, rotate z by 50 degrees, translate 0, 0.4, 0.'),
-      step('Mirror it, for the leaf on the other side: that makes a mirrored copy, Map 3, and Map 2 stays.'),
-      step('Add a map for the stem: press ', element('i', {}, 'x y z'), ' beside its scale, and make it 0.03, 0.35, 0.03; translate 0, 0, 0.'),
-      step('Change any number, or drag the yellow handles in the picture, until you like it. (A corner or a face that is dragged turns the steps of its map into one tetrahedron; undo, ', element('i', {}, '↶'), ' above, brings them back.) Then press ', element('i', {}, 'PNG'), ' above to keep the picture, or ', element('i', {}, 'Save'), ' to keep the scene.')))];
+      step('Map 1, below, is the plant without its lowest leaf: nearly the whole, turned a little and moved up. Map 2 is that leaf.'),
+      step('Open Map 2 and press ', element('i', {}, 'Mirror'), ': that makes a mirrored copy, Map 3, the leaf on the other side.'),
+      step('Press ', element('i', {}, '+ Map'), ' for the stem, then ', element('i', {}, 'x y z'), ' beside its scale, and make it 0.03, 0.35, 0.03.'),
+      step('Make it yours: change any number, or drag the yellow handles in the picture. (A corner or a face that is dragged turns the steps of its map into one tetrahedron; undo, ', element('i', {}, '↶'), ' above, brings them back.)'),
+      step(element('i', {}, 'Save PNG'), ' above keeps the picture, ', element('i', {}, 'Save'), ' the scene.')))];
   }
 
   addMap() {
     const count = this.block().maps.length;
-    this.edit(edits.addMap(this.text(), this.block(), 'newmap scale: 0.5 translate: 0,0.5,0'));
+    this.edit(edits.addMap(this.text(), this.block(), 'newmap scale: 0.5 translate: 0,0,0'));
     this.select(this.scene().ifs, count);
   }
 

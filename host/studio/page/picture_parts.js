@@ -2,61 +2,73 @@
 // known of it (host/studio/picture_parts.hpp says how they are sent).
 
 const start = 8, block = 20;  // bytes before the blocks, and before the pixels of each
+const room = 192 * 1024;      // bytes for what has come and is not understood yet
 
 export class PictureParts {
-  constructor() {
-    this.rest = new Uint8Array(0);  // that is not understood yet
-    this.pixels = null;             // ImageData
-    this.cycles = null;             // of the machine, Uint32Array
-    this.fresh = [];                // blocks that nobody has shown: [left, top, columns, rows]
+  /// `spare`: ImageData that nobody needs any more; new memory takes the page's time.
+  constructor(spare = null) {
+    this.spare = spare;
+    this.pixels = null;  // ImageData
+    this.cycles = null;  // of the machine, Uint32Array
+    this.fresh = [];     // blocks that nobody has shown: [left, top, columns, rows]
+    this.filled = 0;     // bytes that are not understood yet
+    this.makeRoom(room);
+  }
+
+  makeRoom(size) {
+    const bytes = new Uint8Array(Math.ceil(size / 4) * 4);
+    if (this.filled > 0) bytes.set(this.bytes.subarray(0, this.filled));
+    // Everything begins at a multiple of four bytes: what is left over is put to the beginning.
+    Object.assign(this, { bytes, view: new DataView(bytes.buffer), words: new Uint32Array(bytes.buffer) });
   }
 
   /// Takes what has come.
   add(piece) {
-    let bytes = piece;
-    if (this.rest.length > 0) {
-      bytes = new Uint8Array(this.rest.length + piece.length);
-      bytes.set(this.rest);
-      bytes.set(piece, this.rest.length);
-    }
-    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
-    let at = this.pixels || bytes.length < start ? 0 : this.begin(view);
-    for (let size; this.pixels && (size = this.sizeOfBlock(view, at)) > 0; at += size) this.take(bytes, view, at);
-    this.rest = bytes.subarray(at);
+    const end = this.filled + piece.length;
+    if (end > this.bytes.length) this.makeRoom(2 * end);
+    this.bytes.set(piece, this.filled);
+    this.filled = end;
+    let at = this.pixels || end < start ? 0 : this.begin();
+    for (let size; this.pixels && (size = this.sizeOfBlock(at)) > 0; at += size) this.take(at);
+    this.bytes.copyWithin(0, at, end);
+    this.filled = end - at;
   }
 
-  begin(view) {
-    const [columns, rows, machine] = numbers(view, 0, 3);
-    this.pixels = new ImageData(columns, rows);
+  begin() {
+    const columns = this.short(0), rows = this.short(2);
+    const { spare } = this;
+    this.pixels = spare?.width === columns && spare.height === rows ? spare : new ImageData(columns, rows);
     this.colors = new Uint32Array(this.pixels.data.buffer);
-    if (machine) this.cycles = new Uint32Array(columns * rows);
+    if (this.short(4)) this.cycles = new Uint32Array(columns * rows);
     return start;
   }
 
+  short(at) { return this.view.getUint16(at, true); }
+
   /// 0 if it is not all there, or if there is none but the end.
-  sizeOfBlock(view, at) {
-    if (view.byteLength - at < block) return 0;
-    const [columns, rows] = numbers(view, at + 4, 2), [inner, innerRows] = numbers(view, at + 12, 2);
-    const size = block + 4 * (inner * innerRows + (this.cycles ? columns * rows : 0));
-    return columns > 0 && view.byteLength - at >= size ? size : 0;
+  sizeOfBlock(at) {
+    if (this.filled - at < block) return 0;
+    const columns = this.short(at + 4), rows = this.short(at + 6);
+    const size = block + 4 * (this.short(at + 12) * this.short(at + 14) + (this.cycles ? columns * rows : 0));
+    return columns > 0 && this.filled - at >= size ? size : 0;
   }
 
-  take(bytes, view, at) {
-    const [left, top, columns, rows, x, y, inner, innerRows] = numbers(view, at, 8);
-    const { width } = this.pixels, color = view.getUint32(at + 16, true);
-    if (this.ground === undefined) this.colors.fill(this.ground = color);  // most of most pictures
+  take(at) {
+    const left = this.short(at), top = this.short(at + 2), columns = this.short(at + 4), rows = this.short(at + 6);
+    const x = this.short(at + 8), y = this.short(at + 10), inner = this.short(at + 12), innerRows = this.short(at + 14);
+    const { words, colors, cycles } = this, { width } = this.pixels;
+    const color = words[(at + 16) / 4];
+    if (this.ground === undefined) colors.fill(this.ground = color);  // most of most pictures
     if (color !== this.ground)
-      for (let row = top; row < top + rows; ++row) this.colors.fill(color, row * width + left, row * width + left + columns);
-    let from = at + block;
-    for (let row = y; row < y + innerRows; ++row, from += 4 * inner)
-      this.pixels.data.set(bytes.subarray(from, from + 4 * inner), 4 * (row * width + x));
-    for (let row = top; this.cycles && row < top + rows; ++row)
-      for (let i = row * width + left, end = i + columns; i < end; ++i, from += 4) this.cycles[i] = view.getUint32(from, true);
+      for (let row = top; row < top + rows; ++row) colors.fill(color, row * width + left, row * width + left + columns);
+    let from = (at + block) / 4;
+    for (let row = y; row < y + innerRows; ++row)
+      for (let i = row * width + x, end = i + inner; i < end; ++i, ++from) colors[i] = words[from];
+    for (let row = top; cycles && row < top + rows; ++row)
+      for (let i = row * width + left, end = i + columns; i < end; ++i, ++from) cycles[i] = words[from];
     this.fresh.push([left, top, columns, rows]);
   }
 
   /// What is said at the end.
-  last() { return JSON.parse(new TextDecoder().decode(this.rest.subarray(block))); }
+  last() { return JSON.parse(new TextDecoder().decode(this.bytes.subarray(block, this.filled))); }
 }
-
-const numbers = (view, at, count) => Array.from({ length: count }, (_, i) => view.getUint16(at + 2 * i, true));

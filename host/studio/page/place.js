@@ -9,8 +9,8 @@ import { Unsaved } from './unsaved.js';
 const settled = 300;  // milliseconds after a change before it stands in the address
 const beginning = `# two copies of the whole: where do they stand?
 ifs mine {
-    newmap scale: 0.6 translate: 0,0.5,0 color: 0.2,0.6,0.3,0.4
-    newmap scale: 0.5 rotate: z,40 translate: 0.5,-0.3,0 color: 0.8,0.7,0.2,0.4
+    newmap scale: 0.85 rotate: z,3 translate: 0,0.4,0 color: 0.2,0.6,0.3,0.4
+    newmap scale: 0.4 rotate: z,50 translate: 0,0.4,0 color: 0.8,0.7,0.2,0.4
 }
 `;
 
@@ -59,7 +59,7 @@ export class Place {
     this.dropped = null;
     studio.gallery.thumbnails.pause();
     Object.assign(studio, { name, shipped, saved: file.text, digest: file.digest, history: this.unsaved.historyOf(key) ?? new History(file.text),
-      checked: null, base: null, camera: null, trail: [], frame: 0, ifs: 0, map: -1, goodText: '' });
+      checked: null, base: null, camera: null, trail: [], frame: 0, ifs: 0, map: file.text === beginning ? 0 : -1, goodText: '' });
     if (kept !== null) studio.history.put(kept);
     byId('panel-facts').replaceChildren(element('p', { class: 'note awaited' }, 'Facts come once the scene has been read.'));
     byId('gallery').hidden = true;
@@ -106,6 +106,7 @@ export class Place {
     this.scene = `${name}|`;
     this.keepText();
     this.note();
+    this.studio.gallery.renew();
   }
 
   /// The view in the address, soon: a reload comes back to it.

@@ -62,13 +62,13 @@ export const stop = kind => ask('/api/leave', { view: `${page}-${kind}` });
 export const stopAll = () => ask('/api/leave', { view: page });
 
 /// { head, pixels: ImageData, cycles: of the machine, Uint32Array, times }. `partly(parts)` hears
-/// whenever a piece of it has come.
-export async function picture(question, kind = 'picture', partly = () => {}) {
+/// whenever a piece of it has come. `spare` is the pixels of a picture that nobody needs any more.
+export async function picture(question, kind = 'picture', partly = () => {}, spare = null) {
   const times = { asked: performance.now() };
   const response = await ask('/api/picture', numbered(kind, question));
   if (!response) return null;
   times.begun = performance.now();
-  const parts = new PictureParts(), reader = response.body.getReader();
+  const parts = new PictureParts(spare), reader = response.body.getReader();
   for (let piece; !(piece = await reader.read().catch(() => { throw gone(); })).done;) {
     parts.add(piece.value);
     partly(parts);

@@ -5,7 +5,7 @@ import { told } from './changes.js';
 import { Checking } from './checking.js';
 import { Descent } from './descent.js';
 import { Editor } from './editor.js';
-import { byId, element, magnificationText, number, say, shortWord, toast } from './elements.js';
+import { byId, duration, element, magnificationText, number, say, shortWord, toast } from './elements.js';
 import { Exporting } from './exporting.js';
 import { Flight } from './flight.js';
 import { Gallery } from './gallery.js';
@@ -85,7 +85,7 @@ class Studio {
   step(what, go) {
     const before = this.text;
     go();
-    this.textChanged();
+    if (this.text !== before) this.textChanged();
     toast(this.text === before ? `There is nothing to ${what === 'Undone' ? 'undo' : 'redo'}.` : told(what, before, this.text));
   }
 
@@ -258,8 +258,7 @@ class Studio {
     document.documentElement.dataset.phase = event.phase;
     const { statistics, warnings } = event.picture.head;
     if (event.phase !== 'coarse') {
-      const seconds = statistics.seconds.render;
-      byId('timing').textContent = `${event.picture.pixels.width}×${event.picture.pixels.height}, ${number(seconds * 1000, 3)} ms`;
+      byId('timing').textContent = `${event.picture.pixels.width}×${event.picture.pixels.height}, ${duration(statistics.seconds.render)}`;
       byId('timing').title = `${statistics.engine}, ${statistics.numeric}, ${statistics.intersect.method}: ${statistics.intersect.because}`;
       if (warnings.trim() && this.text === this.goodText) this.checking.showMistakes(null, warnings.trim());
       if (this.machine) this.machines.show(event.picture, this.machine);
@@ -330,7 +329,7 @@ class Studio {
     const volumes = () => {
       this.volumes.level = Number(byId('volume-level').value) - 1;
       this.volumes.kind = byId('volume-kind').value;
-      byId('volume-number').textContent = this.volumes.level < 0 ? 'none' : `level ${this.volumes.level}`;
+      byId('volume-number').textContent = this.volumes.level < 0 ? 'none' : `level ${this.volumes.level}${this.volumes.overflows() ? ': too many' : ''}`;
       this.handles.draw();
     };
     byId('volume-level').addEventListener('input', volumes);

@@ -44,7 +44,7 @@ export class StudyPanel {
     return [element('button', { class: 'small', id: 'study-report', onclick: () => download(new Blob([report], { type: 'text/html' }), `${kind}.html`) }, 'Save the whole report'),
       ...tables.map(table => {
         const [head, ...rows] = rowsOf(table.text);
-        return element('details', { open: table === tables[0] }, element('summary', {}, `${table.name.replace(/\.csv$/, '')}, ${rows.length} rows`),
+        return element('details', { open: table === tables[0] }, element('summary', {}, `${table.name.replace(/\.csv$/, '')}, ${rows.length} ${rows.length === 1 ? 'row' : 'rows'}`),
           element('div', { class: 'scroll' }, element('table', {}, element('thead', {}, element('tr', {}, ...head.map(h => element('th', {}, h.replaceAll('_', ' '))))),
             element('tbody', {}, ...rows.slice(0, most_rows).map(row => element('tr', {}, ...row.map(cell => element('td', {}, shown(cell)))))))),
           rows.length > most_rows ? element('p', { class: 'note' }, `${rows.length - most_rows} more rows stand in the report.`) : null);

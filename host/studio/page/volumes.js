@@ -1,10 +1,11 @@
 // Bounding volumes over the picture (Ch. 14): those of all cells of one level, or of the cells that one
 // ray met.
-import * as decimal from './decimal.js';
+import { lookOf } from './camera.js';
 import { add, cross, followed, identity, inverse, length, point, scaled, subtract, unit } from './vectors.js';
 
-export const most_cells = 1500;  // drawn at once
-const sides = 40;         // of the polygon that a ball's outline is drawn as
+export const most_cells = 600;  // drawn at once: more are not told apart, and take a frame longer than one notices
+const round_sides = 96, rough_sides = 12;  // of the polygon that a ball's outline is drawn as
+const most_edges = 1500;   // of all of them, so that a frame is drawn soon
 
 /// Every word of maps of one level that the graph allows: { set, maps }, at most `most_cells`.
 export function wordsOf(graph, level) {
@@ -23,10 +24,10 @@ export const setOf = (graph, maps) => (maps.length > 0 ? graph.inside[maps.at(-1
 export const mapOfWord = (matrices, maps) => maps.reduceRight((all, m) => followed(all, matrices[m]), identity);
 
 /// The outline of a ball as `map` leaves it, seen by a camera: points of the world.
-export function outlineOf(bounds, map, camera) {
+export function outlineOf(bounds, map, camera, sides = round_sides) {
   const back = inverse(map);
   if (!back) return null;
-  const look = camera.look.map(decimal.toNumber);
+  const look = lookOf(camera);
   const eye = point(back, add(look, scaled(camera.away, camera.distance)));
   let to = subtract(eye, bounds.center), middle = bounds.center, radius = bounds.radius;
   if (camera.width === null) {
@@ -62,6 +63,12 @@ export class Volumes {
     this.chosen = null;     // of these, the one that is pointed at
   }
 
+  /// Whether the level has more cells than are drawn.
+  overflows() {
+    const { ifs = [] } = this.scene()?.checked ?? {};
+    return this.level > 0 && ifs.some(i => i.graph && wordsOf(i.graph, this.level) === null);
+  }
+
   isEmpty() { return this.level < 0 && this.cells.length === 0; }
 
   draw(context) {
@@ -71,30 +78,35 @@ export class Volumes {
       const ifs = scene.checked.ifs.find(i => i.name === object.ifs);
       return ifs?.graph ? (wordsOf(ifs.graph, this.level) ?? []).map(c => ({ object: object.name, maps: c.maps, what: 'level' })) : [];
     });
-    for (const cell of [...drawn, ...this.cells]) if (cell !== this.chosen) this.drawCell(context, scene, cell, cell.what);
-    if (this.chosen) this.drawCell(context, scene, this.chosen, 'chosen');
+    this.sides = Math.max(rough_sides, Math.min(round_sides, Math.round(most_edges / (drawn.length + this.cells.length))));
+    const cells = [...drawn, ...this.cells].filter(cell => cell !== this.chosen);
+    for (const what of new Set(cells.map(cell => cell.what))) this.stroke(context, cells.filter(cell => cell.what === what).flatMap(cell => this.linesOf(cell, scene)), what);
+    if (this.chosen) this.stroke(context, this.linesOf(this.chosen, scene), 'chosen');
   }
 
-  drawCell(context, scene, cell, what) {
+  linesOf(cell, scene) {
     const object = scene.checked.objects.find(o => o.name === cell.object);
     const ifs = object && scene.checked.ifs.find(i => i.name === object.ifs);
-    if (!ifs?.graph) return;
+    if (!ifs?.graph) return [];
     const map = followed(mapOfWord(ifs.maps.map(m => m.matrix), cell.maps), object.matrix);
     const bounds = ifs.graph.sets[setOf(ifs.graph, cell.maps)];
-    const lines = this.kind === 'box' ? this.boxLines(bounds, map, scene) : this.ballLines(bounds, map, scene);
-    if (!lines) return;
+    return (this.kind === 'box' ? this.boxLines(bounds, map, scene) : this.ballLines(bounds, map, scene)) ?? [];
+  }
+
+  /// All lines of a kind at once; what lies under them is darkened a little, if they are not very many.
+  stroke(context, lines, what) {
     context.beginPath();
     for (const [a, b] of lines) { context.moveTo(a.x, a.y); context.lineTo(b.x, b.y); }
     context.lineWidth = what === 'chosen' ? 5 : 2.5;
     context.strokeStyle = 'rgba(0,0,0,0.5)';
-    context.stroke();
+    if (lines.length < 2 * most_edges) context.stroke();
     context.lineWidth = what === 'chosen' ? 2.5 : 1;
     context.strokeStyle = { chosen: '#ffc24d', missed: 'rgba(255,125,114,0.65)', level: 'rgba(127,224,180,0.85)' }[what] ?? 'rgba(140,190,255,0.9)';
     context.stroke();
   }
 
   ballLines(bounds, map, scene) {
-    const outline = outlineOf(bounds, map, scene.camera)?.map(scene.toScreen);
+    const outline = outlineOf(bounds, map, scene.camera, this.sides)?.map(scene.toScreen);
     return outline?.every(p => p.ahead > 0) ? outline.map((p, i) => [p, outline[(i + 1) % outline.length]]) : null;
   }
   boxLines(bounds, map, scene) {

@@ -84,6 +84,14 @@ TEST(Srgb, bytes_of_pixels_are_those_of_each_value_whatever_stands_before) {
     put_srgb_bytes(pixels, bytes.data());
     for (std::size_t i = 0; i < bytes.size(); ++i)
         ASSERT_EQ(int{bytes[i]}, int{srgb_byte(pixels[i / 3].color[i % 3])}) << i;
+    std::vector<std::uint32_t> words(pixels.size());
+    put_srgb_words(pixels, words.data());
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const unsigned char* rgb = bytes.data() + 3 * i;
+        ASSERT_EQ(words[i], 0xFF00'0000U | static_cast<std::uint32_t>(rgb[2]) << 16U |
+                                static_cast<std::uint32_t>(rgb[1]) << 8U | rgb[0])
+            << i;
+    }
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cfenv>
+#include <cmath>
+#include <limits>
+#include <span>
 
 #include "host/study/deviation.hpp"
 #include "host/study/stability_cases.hpp"
@@ -102,6 +105,28 @@ TEST(AlarmSums, do_not_depend_on_the_parts_that_a_picture_comes_in) {
             }
         }
         EXPECT_EQ(capped, 32U);
+    }
+}
+
+TEST(AlarmSums, a_pixel_is_finite_if_each_of_its_numbers_is) {
+    const AlarmBasis basis;
+    for (const float value :
+         {-std::numeric_limits<float>::max(), 0.0F, -0.0F, std::numeric_limits<float>::infinity(),
+          -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+        for (int where = 0; where < 7; ++where) {
+            for (const int level : {-1, 2}) {
+                PixelRecord pixel;
+                pixel.level = level;
+                if (level >= 0) pixel.z = 1;
+                (where < 3   ? pixel.color[where]
+                 : where < 6 ? pixel.normal[where - 3]
+                             : pixel.z) = value;
+                const bool wrong = !std::isfinite(value) && (where < 6 || level >= 0);
+                (void)mark_alarms(basis, std::span(&pixel, 1));
+                EXPECT_EQ(pixel.alarms, wrong ? alarm_not_finite : 0)
+                    << value << " at " << where << ", level " << level;
+            }
+        }
     }
 }
 

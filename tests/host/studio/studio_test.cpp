@@ -74,11 +74,12 @@ class Line {
 
 class StudioTest : public testing::Test {
   protected:
-    StudioTest() {
+    explicit StudioTest(double seconds = asked_seconds) {
         folder_.write("a.pxm", test::tetra_scene);
         outside_.write("secret.pxm", "the secret");
         StudioSettings settings;
         settings.folder = folder_.path();
+        settings.seconds = seconds;
         studio_ = std::make_unique<Studio>(settings);
         const std::string address = studio_->address();
         const std::size_t mark = address.find("/?token=");
@@ -263,6 +264,26 @@ TEST_F(StudioTest, ends_while_a_picture_is_rendered) {
     const auto begin = std::chrono::steady_clock::now();
     studio_.reset();
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+}
+
+class HurriedStudioTest : public StudioTest {
+  protected:
+    HurriedStudioTest() : StudioTest(0.05) {}
+};
+
+TEST_F(HurriedStudioTest, ends_what_would_take_hours) {
+    const std::string hours =
+        std::string(test::tetra_scene) + "render { samples: 4096 detail: 0.0001 }\n";
+    Json slow = picture(hours, 2048);
+    slow["samples"] = 0;
+    const auto begin = std::chrono::steady_clock::now();
+    for (const char* first : {"POST /api/picture", "POST /api/png"}) {
+        slow["serial"] = ++serial_;
+        EXPECT_THAT(ask(first, slow.dump()), HasSubstr("this takes longer than the studio waits"));
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+    EXPECT_THAT(ask("POST /api/picture", picture(test::tetra_scene, 8).dump()),
+                HasSubstr("\"statistics\""));
 }
 
 TEST_F(StudioTest, bears_many_connections_and_many_requests) {
