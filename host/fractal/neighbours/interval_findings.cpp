@@ -7,12 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <optional>
 
 #include "host/fractal/exact/number_field.hpp"
 #include "host/fractal/neighbours/apart.hpp"
 #include "host/fractal/neighbours/graph_growth.hpp"
+#include "host/fractal/neighbours/groups.hpp"
 
 namespace pxm::host {
 
@@ -118,17 +118,10 @@ class IntervalAnswers {
 
     [[nodiscard]] bool start_falls_apart() const {
         const auto start = static_cast<std::size_t>(rifs_.start);
-        const std::vector<int>& maps = rifs_.follow_sets[start].maps;
-        std::vector<int> leader(rifs_.maps.size());
-        std::iota(leader.begin(), leader.end(), 0);
-        const auto find = [&](int m) {
-            while (leader[static_cast<std::size_t>(m)] != m)
-                m = leader[static_cast<std::size_t>(m)];
-            return m;
-        };
+        Groups groups(rifs_.maps.size());
         for (const auto& [a, b] : together_[start])
-            leader[static_cast<std::size_t>(find(a))] = find(b);
-        return std::ranges::any_of(maps, [&](int m) { return find(m) != find(maps[0]); });
+            groups.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+        return !groups.hold_together(rifs_.follow_sets[start].maps);
     }
 
     [[nodiscard]] bool is_ifs() const { return rifs_.follow_sets.size() == 1; }

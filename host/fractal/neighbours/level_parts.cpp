@@ -3,35 +3,15 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numeric>
 #include <utility>
+
+#include "host/fractal/neighbours/groups.hpp"
 
 namespace pxm::host {
 
 namespace {
 
 using Word = std::vector<int>;
-
-/// Numbers that are joined into sets.
-class Parts {
-  public:
-    explicit Parts(std::size_t count) : leader_(count) {
-        std::iota(leader_.begin(), leader_.end(), std::size_t{0});
-    }
-    std::size_t leader(std::size_t i) {
-        while (leader_[i] != i) i = leader_[i] = leader_[leader_[i]];
-        return i;
-    }
-    void join(std::size_t i, std::size_t k) { leader_[leader(i)] = leader(k); }
-    [[nodiscard]] std::size_t count() const {
-        std::size_t found = 0;
-        for (std::size_t i = 0; i < leader_.size(); ++i) found += leader_[i] == i ? 1 : 0;
-        return found;
-    }
-
-  private:
-    std::vector<std::size_t> leader_;
-};
 
 /// Two words, each at least as long as the level, whose cells have a common point.
 struct Pair {
@@ -106,7 +86,7 @@ class Levels {
             word.resize(level);
             return number.at(word);
         };
-        Parts parts(cells_.size());
+        Groups parts(cells_.size());
         for (const Pair& pair : pairs_) parts.join(cell_of(pair.first), cell_of(pair.second));
         return parts.count();
     }
@@ -149,7 +129,7 @@ std::vector<std::vector<int>> groups_within(const NeighbourGraph& graph,
     std::vector<char> kept(maps, 0);
     for (const int m : group) kept[static_cast<std::size_t>(m)] = 1;
     const std::vector<char> endless = endless_within(graph, kept);
-    Parts parts(maps);
+    Groups parts(maps);
     for (const NeighbourEdge& e : graph.own[0])
         if (kept[static_cast<std::size_t>(e.first)] && kept[static_cast<std::size_t>(e.second)] &&
             endless[static_cast<std::size_t>(e.to)])
