@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/fractal/exact/exact_system.hpp"
+#include "host/fractal/neighbours/connected_part.hpp"
 #include "host/fractal/neighbours/exact_boundary.hpp"
 #include "host/fractal/neighbours/exact_dimension.hpp"
 #include "host/fractal/neighbours/exact_inside.hpp"
@@ -64,6 +65,8 @@ class Findings {
         found_.open_set = {std::nullopt, why};
         found_.connected = {true, why};
         found_.totally_disconnected = {true, why};
+        found_.components = {1, why};
+        found_.infinite_components = false;
         found_.hausdorff = {0.0, why};
         found_.boundary = {std::nullopt, why};
         found_.interior = {std::nullopt, why};
@@ -163,6 +166,7 @@ class Findings {
         if (!searched_.finite()) {
             found_.connected = {std::nullopt, searched_.unfinished()};
             found_.totally_disconnected = {std::nullopt, searched_.unfinished()};
+            found_.components = {std::nullopt, searched_.unfinished()};
             return;
         }
         bool all = true, none = true;
@@ -177,16 +181,36 @@ class Findings {
         } else {
             found_.connected = {std::nullopt, "a part of the graph falls apart inside of pieces"};
         }
-        if (!all) found_.parts_of_levels = level_parts(searched_.graph, searched_.rifs, most_cells);
+        add_components();
         if (none) {
             found_.totally_disconnected = {true, "no two images have a common point"};
-        } else if (all && found_.dimensions > 0) {
+        } else if (found_.connected.value.value_or(false) && found_.dimensions > 0) {
             found_.totally_disconnected = {false, "it is connected and no point"};
         } else if (has_connected_part(searched_.graph, searched_.rifs)) {
             found_.totally_disconnected = {
                 false, "some maps' own attractor hangs together by common points [Hata85]"};
         } else {
             found_.totally_disconnected = {std::nullopt, "some images have common points"};
+        }
+    }
+
+    void add_components() {
+        if (found_.connected.value.value_or(false)) {
+            found_.components = {1, found_.connected.why};
+            found_.infinite_components = false;
+            return;
+        }
+        LevelParts parts = level_parts(searched_.graph, searched_.rifs, most_cells);
+        found_.parts_of_levels = std::move(parts.counts);
+        found_.components = {parts.number, std::move(parts.why)};
+        found_.infinite_components = parts.infinite;
+        if (found_.connected.value) return;
+        if (parts.number == 1U) {
+            found_.connected = {true, "at every level all cells hang together by common points"};
+        } else if (!found_.parts_of_levels.empty() && found_.parts_of_levels.back() > 1) {
+            found_.connected = {
+                false, fmt::format("the cells of level {} fall into {} parts",
+                                   found_.parts_of_levels.size(), found_.parts_of_levels.back())};
         }
     }
 

@@ -108,12 +108,22 @@ class IntervalAnswers {
             found_.overlaps = {std::nullopt, why};
             found_.totally_disconnected = {std::nullopt, why};
         }
+        add_components();
         if (start_falls_apart()) {
             found_.connected = {false,
                                 "the maps' images fall into groups without a common point" + by_};
         } else {
             found_.connected = {std::nullopt, apart_ ? "there is one image" : open_pairs()};
         }
+    }
+
+    void add_components() {
+        if (!apart_ || !is_ifs() || rifs_.maps.size() < 2) {
+            found_.components.why = "intervals do not tell it";
+            return;
+        }
+        found_.components = {std::nullopt, "every piece is a point" + by_};
+        found_.infinite_components = true;
     }
 
     [[nodiscard]] bool start_falls_apart() const {
