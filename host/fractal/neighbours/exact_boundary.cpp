@@ -20,6 +20,9 @@ Decided<double> exact_boundary(const SearchedSystem& searched, const ExactFindin
     if (is_interval(searched, found)) {
         return {0.0, "the two ends of an interval"};
     }
+    if (!searched.similar()) {
+        return {std::nullopt, "not every map is a similitude"};
+    }
     GrowthGraph graph(searched.graph.types.size());
     for (std::size_t t = 0; t < graph.size(); ++t)
         for (const NeighbourEdge& e : searched.graph.types[t].edges)

@@ -22,7 +22,10 @@ class DimensionSearch {
         : searched_(searched), overlaps_(overlaps), open_set_(open_set) {}
 
     ExactDimension run() {
-        if (!searched_.similar()) {
+        if (!searched_.similar() && open_set_.value.value_or(false)) {
+            result_.value = {searched_.exact.field.dimensions,
+                             "it has an inside: " + open_set_.why};
+        } else if (!searched_.similar()) {
             result_.value = {std::nullopt, "not every map is a similitude"};
         } else if (!searched_.full) {
             result_.value = {std::nullopt, flat_pieces};

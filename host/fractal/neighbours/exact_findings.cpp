@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/fractal/exact/exact_system.hpp"
+#include "host/fractal/neighbours/affine_tile.hpp"
 #include "host/fractal/neighbours/connected_part.hpp"
 #include "host/fractal/neighbours/exact_boundary.hpp"
 #include "host/fractal/neighbours/exact_dimension.hpp"
@@ -142,6 +143,10 @@ class Findings {
             }
         } else if (!searched_.finite()) {
             found_.open_set = {std::nullopt, searched_.unfinished()};
+        } else if (!searched_.similar() && searched_.whole && has_lattice_digits(searched_.exact)) {
+            found_.open_set = {true,
+                               "a tile: digits of a lattice, as many as the determinant, and no "
+                               "two words are the same map, in exact numbers [LaWa96]"};
         } else if (!searched_.similar()) {
             found_.open_set = {std::nullopt, "not every map is a similitude"};
         } else if (!searched_.full) {
@@ -246,6 +251,8 @@ class Findings {
             found_.triple_dimension = {std::nullopt, "no three cells meet"};
         } else if (!found_.open_set.value.value_or(false)) {
             found_.triple_dimension = {std::nullopt, found_.open_set.why};
+        } else if (!searched_.similar()) {
+            found_.triple_dimension = {std::nullopt, "not every map is a similitude"};
         } else {
             GrowthGraph growth(triples.types.size());
             for (std::size_t k = 0; k < growth.size(); ++k)

@@ -52,9 +52,10 @@ class InsideSearch {
                     "the maps' volumes add up to the whole's, and two words are the same map");
         }
         if (found_.open_set.value.value_or(false) && volumes_balance()) {
-            result_.inside = {true,
-                              "the open-set condition holds and the maps' volumes add up to the "
-                              "whole's [Schief94]"};
+            result_.inside = {true, searched_.similar()
+                                        ? "the open-set condition holds and the maps' volumes add "
+                                          "up to the whole's [Schief94]"
+                                        : found_.open_set.why};
             add_tile_volume();
             return;
         }
