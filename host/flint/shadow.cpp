@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/matrix.hpp>
 #include <string>
 
 #include "host/fractal/bounds/bounds.hpp"
@@ -42,6 +44,22 @@ void project(exact::WrittenMaps& written, Rifs& rifs, const Kept& kept) {
         }
 }
 
+/// Whether these coordinates' lengths or areas, under all maps, add up to more than the whole's:
+/// the affinity dimension is more than how many they are then. A word's singular value function is
+/// at least what the word does to them, and these multiply. Of an IFS.
+bool overfills(const Rifs& rifs, const Kept& kept) {
+    constexpr double clearly = 1 + 1e-9;
+    if (rifs.follow_sets.size() > 1) return false;
+    double sum = 0;
+    for (const Affine& map : rifs.maps) {
+        glm::dmat3 linear = map.linear;
+        for (int i = 0; i < 3; ++i)
+            if (!kept[static_cast<std::size_t>(i)]) linear[i] = glm::dmat3{1}[i];
+        sum += std::abs(glm::determinant(linear));
+    }
+    return sum > clearly;
+}
+
 }  // namespace
 
 Decided<double> shadow_dimension(const std::function<exact::WrittenMaps()>& written,
@@ -58,6 +76,7 @@ Decided<double> shadow_dimension(const std::function<exact::WrittenMaps()>& writ
         if (largest.value && *largest.value >= most) continue;
         exact::WrittenMaps maps = written();
         if (!is_projected(maps, all[i])) continue;
+        if (overfills(rifs, all[i])) break;  // no projection has the affinity dimension
         Rifs flat = rifs;
         project(maps, flat, all[i]);
         const Contraction contraction = prove_contraction(flat);

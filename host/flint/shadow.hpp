@@ -11,7 +11,8 @@
 
 namespace pxm::host {
 
-/// The largest that is decided in exact numbers. `written` reads the maps of `rifs` anew.
+/// The largest that is decided in exact numbers, if any may be as large as the affinity dimension.
+/// `written` reads the maps of `rifs` anew.
 [[nodiscard]] Decided<double> shadow_dimension(const std::function<exact::WrittenMaps()>& written,
                                                const Rifs& rifs, const NeighbourLimits& limits);
 

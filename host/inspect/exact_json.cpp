@@ -135,6 +135,10 @@ void add_exact_json(const IfsFacts& ifs, Json& json) {
             json["overlapping_words"].push_back(names_json(ifs, word));
     add(json, "connected", exact.connected);
     json["parts_of_levels"] = exact.parts_of_levels;
+    json["connected_pieces"] = {
+        {"number", value_json(exact.components)},
+        {"infinite", exact.infinite_components ? Json(*exact.infinite_components) : Json(nullptr)},
+        {"why", exact.components.why}};
     json["boundary"] = {{"dimension", value_json(exact.boundary)}, {"why", exact.boundary.why}};
     add(json, "interior", exact.interior);
     add(json, "volume", exact.volume);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "host/inspect/dimension_order.hpp"
 
@@ -63,6 +64,12 @@ void add_parts(const ExactFindings& exact, std::string& text) {
     for (std::size_t i = 0; i < std::min(most, exact.parts_of_levels.size()); ++i)
         parts += fmt::format("{}{}", i > 0 ? ", " : "", exact.parts_of_levels[i]);
     line(text, "", parts + " parts of the first levels' cells");
+    if (exact.components.value || exact.infinite_components.value_or(false))
+        line(text, "connected pieces",
+             fmt::format("{}: {}",
+                         exact.components.value ? std::to_string(*exact.components.value)
+                                                : "infinitely many",
+                         exact.components.why));
 }
 
 std::string threes(const ExactFindings& exact) {

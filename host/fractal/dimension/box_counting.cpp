@@ -191,11 +191,15 @@ BoxCounting count_boxes(const Rifs& rifs, const std::vector<Bounds>& bounds, int
     measure(system, size, threads, first_work, result);
     const bool all_scales = result.scales.size() == sides_for(size).size();
     if (result.dimension && all_scales && result.error <= small_error) return result;
-    result = {};
-    measure(system, size, threads, most_work, result);
+    // Cells that are thin in any direction stay too many, however many are looked at.
+    const bool more_helps = system.similitudes || system.layers;
+    if (more_helps) {
+        result = {};
+        measure(system, size, threads, most_work, result);
+    }
     if (result.dimension) return result;
     system.finest *= 2;
-    measure(system, size, threads, most_work, result);
+    measure(system, size, threads, more_helps ? most_work : first_work, result);
     result.error *= of_larger_cells;
     return result;
 }

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
-#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "host/fractal/dimension/zoom.hpp"
 
@@ -21,16 +22,47 @@ constexpr long most_divided = 400'000;  // of one step
 struct Looks {
     std::array<std::int64_t, 13> numbers{};
     bool operator==(const Looks&) const = default;
-    struct Hash {
-        std::size_t operator()(const Looks& looks) const {
-            std::size_t sum = 0;
-            for (const std::int64_t n : looks.numbers) {
-                sum = (sum ^ static_cast<std::size_t>(n)) * 0x9e3779b97f4a7c15U;
-                sum ^= sum >> 29U;
-            }
-            return sum;
+    [[nodiscard]] std::size_t hash() const {
+        std::size_t sum = 0;
+        for (const std::int64_t n : numbers) {
+            sum = (sum ^ static_cast<std::size_t>(n)) * 0x9e3779b97f4a7c15U;
+            sum ^= sum >> 29U;
         }
-    };
+        return sum;
+    }
+};
+
+/// Numbers looks from 0 on. One table for all: a map's memory would cost more than its search.
+class KnownLooks {
+  public:
+    /// Which one it is, and whether it is new.
+    std::pair<std::size_t, bool> number(const Looks& looks) {
+        if (2 * (known_.size() + 1) > places_.size()) grow();
+        std::size_t place = looks.hash() & (places_.size() - 1);
+        for (; places_[place] != 0; place = (place + 1) & (places_.size() - 1))
+            if (known_[places_[place] - 1] == looks) return {places_[place] - 1, false};
+        known_.push_back(looks);
+        places_[place] = static_cast<std::uint32_t>(known_.size());
+        return {known_.size() - 1, true};
+    }
+    void clear() {
+        known_.clear();
+        std::ranges::fill(places_, 0U);
+    }
+
+  private:
+    void grow() {
+        constexpr std::size_t fewest = 64;
+        places_.assign(std::max(fewest, 2 * places_.size()), 0);
+        for (std::size_t i = 0; i < known_.size(); ++i) {
+            std::size_t place = known_[i].hash() & (places_.size() - 1);
+            while (places_[place] != 0) place = (place + 1) & (places_.size() - 1);
+            places_[place] = static_cast<std::uint32_t>(i + 1);
+        }
+    }
+
+    std::vector<Looks> known_;
+    std::vector<std::uint32_t> places_;  // 1 more than the number; 0: none
 };
 
 /// Of a cell around `center`, in units of what does not matter, whose box has half these sides.
@@ -57,9 +89,11 @@ bool Zoom::divide_thin(double side, double largest, long& visits) {
     for (const Cell& cell : around_)
         if (!is_away(cell, window)) open.push_back(cell);
     long left = most_divided;
+    KnownLooks known;
+    std::vector<Cell> next;
     while (!open.empty()) {  // level by level: cells that look the same are of one level
-        std::vector<Cell> next;
-        std::unordered_map<Looks, std::size_t, Looks::Hash> known;
+        next.clear();
+        known.clear();
         for (const Cell& cell : open) {
             if (cell.diameter <= largest) {
                 if (short_.size() >= most_short) return false;
@@ -78,15 +112,15 @@ bool Zoom::divide_thin(double side, double largest, long& visits) {
                 Looks looks = looks_of(part.map, part.map.point(system.center[set]) - place_,
                                        system.half[set], unit);
                 looks.numbers.back() = part.set;
-                const auto [at, added] = known.emplace(looks, next.size());
+                const auto [at, added] = known.number(looks);
                 if (added) {
                     next.push_back(part);
                 } else {
-                    next[at->second].measure += part.measure;
+                    next[at].measure += part.measure;
                 }
             }
         }
-        open = std::move(next);
+        std::swap(open, next);
     }
     // The place's own cell may have been taken for one that looks the same: its point is the place.
     double nearest = INFINITY;

@@ -14,15 +14,15 @@ namespace {
 using Vector = Lattice::Vector;
 
 /// A whole-number matrix, owned.
-class Whole {
+class WholeMatrix {
   public:
-    Whole(std::size_t rows, std::size_t columns) {
+    WholeMatrix(std::size_t rows, std::size_t columns) {
         give_back_with_thread();
         fmpz_mat_init(value, static_cast<slong>(rows), static_cast<slong>(columns));
     }
-    ~Whole() { fmpz_mat_clear(value); }
-    Whole(const Whole&) = delete;
-    Whole& operator=(const Whole&) = delete;
+    ~WholeMatrix() { fmpz_mat_clear(value); }
+    WholeMatrix(const WholeMatrix&) = delete;
+    WholeMatrix& operator=(const WholeMatrix&) = delete;
 
     fmpz_mat_t value;
 };
@@ -98,7 +98,7 @@ std::vector<Vector> hermite(const std::vector<Vector>& rows, std::size_t n) {
             fmpz_lcm(denominator, denominator, fmpq_poly_denref(p.get()));
     std::vector<Vector> result;
     {
-        Whole matrix(rows.size(), n);
+        WholeMatrix matrix(rows.size(), n);
         for (std::size_t r = 0; r < rows.size(); ++r)
             for (std::size_t c = 0; c < n; ++c) {
                 if (rows[r][c].is_zero()) continue;

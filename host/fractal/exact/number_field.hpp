@@ -2,27 +2,15 @@
 // roots and with sines and cosines of rational degrees. Its elements are polynomials in one
 // generator, so that equality is decided, not measured: two elements are equal exactly if their
 // polynomials are. Which real number the generator is, is known in balls of certified radius.
-// Each adjunction finds a primitive element by factoring a norm (B. Trager, see [Trager76]).
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "host/fractal/exact/polynomial.hpp"
+#include "host/fractal/exact/algebraic.hpp"
 
 namespace pxm::host::exact {
-
-/// An element of a field, in the generator that the field had at `stage`.
-struct Algebraic {
-    int stage = 0;
-    Polynomial value;
-};
-
-/// The field would be too large, or a number is in no field: pi.
-struct NotExact {
-    std::string why;
-};
 
 class NumberField {
   public:
@@ -66,7 +54,5 @@ class NumberField {
     struct Inside;
     std::unique_ptr<Inside> inside_;
 };
-
-[[nodiscard]] inline Algebraic whole(long value) { return {0, Polynomial(value)}; }
 
 }  // namespace pxm::host::exact

@@ -1,6 +1,7 @@
 #include "host/fractal/neighbours/apart.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -14,7 +15,7 @@ using exact::BallEntries;
 using exact::RealBall;
 
 constexpr double wider = 2e-6;         // of radii, for bounds of rounded maps, and for rounding
-constexpr std::size_t work = 40'000;   // pairs of cells
+constexpr std::size_t work = 3'000;    // pairs of cells
 constexpr std::size_t least_work = 8;  // of a pair of maps
 
 using Middle = std::array<RealBall, 3>;
@@ -38,22 +39,34 @@ Middle image(const BallEntries& map, const glm::dvec3& point) {
     return place;
 }
 
-/// Above the largest singular value.
+/// Above the largest singular value, from the balls' middles: that they are doubles, and the balls'
+/// radii, is in the margin.
 double stretch(const BallEntries& map) {
+    constexpr double rounding = 0x1p-48;  // of sums of three products of rounded numbers
     double squares = 0;
+    std::array<std::array<double, 3>, 3> middle{}, most{}, radius{};
     for (std::size_t r = 0; r < 3; ++r)
-        for (std::size_t c = 0; c < 3; ++c) squares += map[r][c].most() * map[r][c].most();
+        for (std::size_t c = 0; c < 3; ++c) {
+            middle[r][c] = map[r][c].middle();
+            most[r][c] = map[r][c].most();
+            radius[r][c] = map[r][c].radius();
+            squares += most[r][c] * most[r][c];
+        }
     double largest = 0;  // row sum of A^T A
     for (std::size_t i = 0; i < 3; ++i) {
         double row = 0;
         for (std::size_t j = 0; j < 3; ++j) {
-            RealBall sum;
-            for (std::size_t k = 0; k < 3; ++k) sum = sum + map[k][i] * map[k][j];
-            row += sum.most();
+            double sum = 0, off = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                sum += middle[k][i] * middle[k][j];
+                off += radius[k][i] * most[k][j] + most[k][i] * radius[k][j] +
+                       rounding * most[k][i] * most[k][j];
+            }
+            row += std::abs(sum) + off;
         }
         largest = std::max(largest, row);
     }
-    return std::sqrt(std::min(largest, squares));
+    return std::sqrt(std::min(largest, squares) * (1 + rounding));
 }
 
 class ApartSearch {

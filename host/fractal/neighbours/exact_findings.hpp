@@ -56,6 +56,8 @@ struct ExactFindings {        // what is decided of a system
     Decided<bool> open_set;                    // is the open-set condition satisfied?
     Decided<bool> connected;                   // is the attractor one piece?
     std::vector<std::size_t> parts_of_levels;  // 1, 2 ..., if it is not connected
+    Decided<std::size_t> components;           // how many connected pieces it has
+    std::optional<bool> infinite_components;   // whether there is no such number
     Decided<bool> totally_disconnected;        // is every piece of it a point?
     Decided<double> hausdorff;                 // its Hausdorff dimension
     Decided<double> shadow;    // the largest Hausdorff dimension of a projection along axes
@@ -77,6 +79,7 @@ struct ExactFindings {        // what is decided of a system
     found.numbers = why;
     const std::string because = "no exact numbers: " + why;
     found.finite.why = found.overlaps.why = found.open_set.why = found.connected.why = because;
+    found.components.why = because;
     found.totally_disconnected.why = found.hausdorff.why = found.boundary.why = because;
     found.interior.why = found.volume.why = because;
     found.triples.why = found.triple_dimension.why = because;

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <optional>
 
 #include "host/fractal/exact/number_field.hpp"
 #include "host/fractal/neighbours/apart.hpp"
 #include "host/fractal/neighbours/graph_growth.hpp"
+#include "host/fractal/neighbours/groups.hpp"
 
 namespace pxm::host {
 
@@ -108,6 +108,7 @@ class IntervalAnswers {
             found_.overlaps = {std::nullopt, why};
             found_.totally_disconnected = {std::nullopt, why};
         }
+        add_components();
         if (start_falls_apart()) {
             found_.connected = {false,
                                 "the maps' images fall into groups without a common point" + by_};
@@ -116,19 +117,21 @@ class IntervalAnswers {
         }
     }
 
+    void add_components() {
+        if (!apart_ || !is_ifs() || rifs_.maps.size() < 2) {
+            found_.components.why = "intervals do not tell it";
+            return;
+        }
+        found_.components = {std::nullopt, "every piece is a point" + by_};
+        found_.infinite_components = true;
+    }
+
     [[nodiscard]] bool start_falls_apart() const {
         const auto start = static_cast<std::size_t>(rifs_.start);
-        const std::vector<int>& maps = rifs_.follow_sets[start].maps;
-        std::vector<int> leader(rifs_.maps.size());
-        std::iota(leader.begin(), leader.end(), 0);
-        const auto find = [&](int m) {
-            while (leader[static_cast<std::size_t>(m)] != m)
-                m = leader[static_cast<std::size_t>(m)];
-            return m;
-        };
+        Groups groups(rifs_.maps.size());
         for (const auto& [a, b] : together_[start])
-            leader[static_cast<std::size_t>(find(a))] = find(b);
-        return std::ranges::any_of(maps, [&](int m) { return find(m) != find(maps[0]); });
+            groups.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+        return !groups.hold_together(rifs_.follow_sets[start].maps);
     }
 
     [[nodiscard]] bool is_ifs() const { return rifs_.follow_sets.size() == 1; }

@@ -1,211 +1,205 @@
 #include "host/fractal/neighbours/level_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <glm/geometric.hpp>
+#include <array>
 #include <map>
-#include <numeric>
 #include <utility>
+
+#include "host/fractal/neighbours/groups.hpp"
+#include "host/fractal/neighbours/level_cells.hpp"
 
 namespace pxm::host {
 
 namespace {
 
-using Word = std::vector<int>;
+constexpr std::size_t most_level = 20;
+constexpr std::size_t most_sets = 60;    // follow sets whose parts are counted
+constexpr std::size_t most_of_part = 8;  // cells, if its shape is compared
 
-/// Numbers that are joined into sets.
-class Parts {
+/// A part up to a similarity: the follow set of its first cell, and how cells lie against each
+/// other, from the first on. Two parts with the same are copies of each other.
+using Shape = std::vector<std::array<int, 3>>;
+
+struct Part {
+    std::vector<CellWord> cells;
+    std::vector<TouchingWords> pairs;
+    bool comparable = true;  // its pairs are pairs of its cells, not of longer words
+};
+
+std::vector<Part> parts_of(const LevelCells& level) {
+    std::map<CellWord, std::size_t> number;
+    for (const CellWord& cell : level.cells()) number.emplace(cell, number.size());
+    const auto cell_of = [&](CellWord word) {
+        word.resize(level.level());
+        return number.at(word);
+    };
+    Groups groups(level.cells().size());
+    for (const TouchingWords& pair : level.pairs())
+        groups.join(cell_of(pair.first), cell_of(pair.second));
+    std::map<std::size_t, std::size_t> place;
+    std::vector<Part> parts;
+    const auto part_of = [&](std::size_t cell) -> Part& {
+        const auto [at, added] = place.emplace(groups.leader(cell), parts.size());
+        if (added) parts.emplace_back();
+        return parts[at->second];
+    };
+    for (const CellWord& cell : level.cells()) part_of(number.at(cell)).cells.push_back(cell);
+    for (const TouchingWords& pair : level.pairs()) {
+        Part& part = part_of(cell_of(pair.first));
+        part.comparable = part.comparable && pair.first.size() == level.level() &&
+                          pair.second.size() == level.level();
+        if (part.cells.size() <= most_of_part) part.pairs.push_back(pair);
+    }
+    return parts;
+}
+
+/// Cells get their numbers in the order in which types lead to them from the first one.
+Shape shape_from(const LevelCells& level, const Part& part, const CellWord& first) {
+    std::map<CellWord, int> number{{first, 0}};
+    std::vector<CellWord> order{first};
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        std::vector<std::pair<std::array<int, 2>, CellWord>> others;
+        for (const TouchingWords& pair : part.pairs) {
+            if (pair.first == order[i]) others.push_back({{pair.type, 0}, pair.second});
+            if (pair.second == order[i]) others.push_back({{pair.type, 1}, pair.first});
+        }
+        std::ranges::sort(others);
+        for (const auto& [type, cell] : others)
+            if (number.emplace(cell, static_cast<int>(number.size())).second) order.push_back(cell);
+    }
+    Shape shape{{static_cast<int>(level.set_of(first)), static_cast<int>(order.size()), 0}};
+    for (const TouchingWords& pair : part.pairs)
+        shape.push_back({number.at(pair.first), number.at(pair.second), pair.type});
+    std::ranges::sort(shape.begin() + 1, shape.end());
+    return shape;
+}
+
+std::optional<Shape> shape_of(const LevelCells& level, const Part& part) {
+    if (!part.comparable || part.cells.size() > most_of_part) return std::nullopt;
+    std::optional<Shape> least;
+    for (const CellWord& cell : part.cells) {
+        Shape shape = shape_from(level, part, cell);
+        if (!least || shape < *least) least = std::move(shape);
+    }
+    return least;
+}
+
+/// Parts of earlier levels, whose shapes are known.
+class KnownParts {
   public:
-    explicit Parts(std::size_t count) : leader_(count) {
-        std::iota(leader_.begin(), leader_.end(), std::size_t{0});
+    /// Whether a part of this later level is a copy of one that it is made from and is not all of.
+    [[nodiscard]] bool have_copy(const LevelCells& level, const std::vector<Part>& parts) const {
+        std::vector<std::size_t> within(known_.size(), 0);
+        std::vector<char> copied(known_.size(), 0);
+        for (const Part& part : parts) {
+            const auto shape = shape_of(level, part);
+            for (std::size_t k = 0; k < known_.size(); ++k) {
+                if (!known_[k].hold(part.cells[0])) continue;
+                ++within[k];
+                if (shape && known_[k].shape == *shape) copied[k] = 1;
+            }
+        }
+        for (std::size_t k = 0; k < known_.size(); ++k)
+            if (copied[k] && within[k] > 1) return true;
+        return false;
     }
-    std::size_t leader(std::size_t i) {
-        while (leader_[i] != i) i = leader_[i] = leader_[leader_[i]];
-        return i;
-    }
-    void join(std::size_t i, std::size_t k) { leader_[leader(i)] = leader(k); }
-    [[nodiscard]] std::size_t count() const {
-        std::size_t found = 0;
-        for (std::size_t i = 0; i < leader_.size(); ++i) found += leader_[i] == i ? 1 : 0;
-        return found;
+
+    void add(const LevelCells& level, const std::vector<Part>& parts) {
+        for (const Part& part : parts) {
+            if (known_.size() == most_known) return;
+            if (auto shape = shape_of(level, part)) known_.push_back({*shape, part.cells});
+        }
     }
 
   private:
-    std::vector<std::size_t> leader_;
+    static constexpr std::size_t most_known = 200;
+    struct Known {
+        Shape shape;
+        std::vector<CellWord> cells;
+        [[nodiscard]] bool hold(const CellWord& word) const {
+            return std::ranges::any_of(cells, [&](const CellWord& cell) {
+                return std::equal(cell.begin(), cell.end(), word.begin());
+            });
+        }
+    };
+    std::vector<Known> known_;
 };
 
-/// Two words, each at least as long as the level, whose cells have a common point.
-struct Pair {
-    Word first;
-    Word second;
-    int type = 0;
-};
+/// How many parts there are at the levels from 0 on.
+std::vector<std::size_t> counts_of(const NeighbourGraph& graph, const Rifs& rifs,
+                                   std::size_t most) {
+    std::vector<std::size_t> counts{1};
+    LevelCells level(graph, rifs, most);
+    while (level.level() < most_level && level.next()) counts.push_back(parts_of(level).size());
+    return counts;
+}
 
-class Levels {
-  public:
-    Levels(const NeighbourGraph& graph, const Rifs& rifs, std::size_t most)
-        : graph_(graph), rifs_(rifs), most_(most) {}
-
-    std::vector<std::size_t> run() {
-        std::vector<std::size_t> counts;
-        for (std::size_t level = 1; level <= most_level && next(level); ++level)
-            counts.push_back(parts());
-        return counts;
+/// The first level whose numbers of parts, in every follow set, are those of the next one: they
+/// stay what they are, for a cell's parts touch those of another cell where the level before had
+/// them touch. Nothing if no level was found to be one.
+std::optional<std::size_t> level_that_stays(const NeighbourGraph& graph, const Rifs& rifs,
+                                            std::size_t most) {
+    if (rifs.follow_sets.size() > most_sets) return std::nullopt;
+    std::vector<char> stays(most_level, 1);
+    for (std::size_t s = 0; s < rifs.follow_sets.size(); ++s) {
+        Rifs part = rifs;
+        part.start = static_cast<int>(s);
+        const auto counts = counts_of(graph, part, most / rifs.follow_sets.size());
+        for (std::size_t k = 0; k < stays.size(); ++k)
+            if (k + 1 >= counts.size() || counts[k] != counts[k + 1]) stays[k] = 0;
     }
+    const auto first = std::ranges::find(stays, char{1});
+    if (first == stays.end()) return std::nullopt;
+    return static_cast<std::size_t>(first - stays.begin());
+}
 
-  private:
-    static constexpr std::size_t most_level = 20;
-    static constexpr std::size_t pairs_a_cell = 10;
-
-    [[nodiscard]] std::size_t set_of(const Word& word) const {
-        return static_cast<std::size_t>(
-            word.empty() ? rifs_.start : rifs_.follow_of[static_cast<std::size_t>(word.back())]);
-    }
-
-    /// The cells of the level and the pairs of them that touch; false if they are too many.
-    bool next(std::size_t level) {
-        std::vector<Word> cells;
-        std::vector<Pair> waiting = std::move(pairs_);
-        pairs_.clear();
-        for (const Word& cell : cells_) {
-            const std::size_t set = set_of(cell);
-            for (const int m : rifs_.follow_sets[set].maps) {
-                cells.push_back(cell);
-                cells.back().push_back(m);
-            }
-            for (const NeighbourEdge& e : graph_.own[set])
-                if (e.first < e.second) waiting.push_back(longer({cell, cell, 0}, e));
-            if (cells.size() > most_) return false;
-        }
-        cells_ = std::move(cells);
-        while (!waiting.empty()) {
-            if (pairs_.size() + waiting.size() > pairs_a_cell * most_) return false;
-            const Pair pair = std::move(waiting.back());
-            waiting.pop_back();
-            if (pair.first.size() >= level && pair.second.size() >= level) {
-                pairs_.push_back(pair);
-                continue;
-            }
-            for (const NeighbourEdge& e : graph_.types[static_cast<std::size_t>(pair.type)].edges)
-                waiting.push_back(longer(pair, e));
-        }
+/// Whether the maps of an IFS fall into groups so that two words whose cells touch have, letter by
+/// letter, maps of one group: there are as many parts, or more, as words of groups.
+bool touch_by_groups(const NeighbourGraph& graph, const Rifs& rifs) {
+    if (rifs.follow_sets.size() != 1) return false;
+    Groups groups(rifs.maps.size());
+    const auto join = [&](const NeighbourEdge& e) {
+        if (e.first < 0 || e.second < 0) return false;  // letters would not stand side by side
+        groups.join(static_cast<std::size_t>(e.first), static_cast<std::size_t>(e.second));
         return true;
-    }
-
-    static Pair longer(Pair pair, const NeighbourEdge& e) {
-        if (e.first >= 0) pair.first.push_back(e.first);
-        if (e.second >= 0) pair.second.push_back(e.second);
-        pair.type = e.to;
-        return pair;
-    }
-
-    [[nodiscard]] std::size_t parts() const {
-        const std::size_t level = cells_.front().size();
-        std::map<Word, std::size_t> number;
-        for (const Word& cell : cells_) number.emplace(cell, number.size());
-        const auto cell_of = [&](Word word) {
-            word.resize(level);
-            return number.at(word);
-        };
-        Parts parts(cells_.size());
-        for (const Pair& pair : pairs_) parts.join(cell_of(pair.first), cell_of(pair.second));
-        return parts.count();
-    }
-
-    const NeighbourGraph& graph_;
-    const Rifs& rifs_;
-    std::size_t most_;
-    std::vector<Word> cells_{Word{}};
-    std::vector<Pair> pairs_;
-};
-
-/// The types with an endless path along maps of `kept` alone.
-std::vector<char> endless_within(const NeighbourGraph& graph, const std::vector<char>& kept) {
-    const auto within = [&](int map) { return map < 0 || kept[static_cast<std::size_t>(map)]; };
-    std::vector<std::vector<std::size_t>> before(graph.types.size());
-    std::vector<int> left(graph.types.size(), 0);
-    for (std::size_t t = 0; t < graph.types.size(); ++t)
-        for (const NeighbourEdge& e : graph.types[t].edges) {
-            if (!within(e.first) || !within(e.second)) continue;
-            before[static_cast<std::size_t>(e.to)].push_back(t);
-            ++left[t];
-        }
-    std::vector<char> endless(graph.types.size(), 1);
-    std::vector<std::size_t> waiting;
-    for (std::size_t t = 0; t < left.size(); ++t)
-        if (left[t] == 0) waiting.push_back(t);
-    while (!waiting.empty()) {
-        const std::size_t t = waiting.back();
-        waiting.pop_back();
-        endless[t] = 0;
-        for (const std::size_t b : before[t])
-            if (--left[b] == 0) waiting.push_back(b);
-    }
-    return endless;
-}
-
-/// The groups into which `group` falls by common points of its own attractor.
-std::vector<std::vector<int>> groups_within(const NeighbourGraph& graph,
-                                            const std::vector<int>& group, std::size_t maps) {
-    std::vector<char> kept(maps, 0);
-    for (const int m : group) kept[static_cast<std::size_t>(m)] = 1;
-    const std::vector<char> endless = endless_within(graph, kept);
-    Parts parts(maps);
-    for (const NeighbourEdge& e : graph.own[0])
-        if (kept[static_cast<std::size_t>(e.first)] && kept[static_cast<std::size_t>(e.second)] &&
-            endless[static_cast<std::size_t>(e.to)])
-            parts.join(static_cast<std::size_t>(e.first), static_cast<std::size_t>(e.second));
-    std::map<std::size_t, std::vector<int>> groups;
-    for (const int m : group) groups[parts.leader(static_cast<std::size_t>(m))].push_back(m);
-    std::vector<std::vector<int>> result;
-    for (auto& [leader, members] : groups) result.push_back(std::move(members));
-    return result;
-}
-
-glm::dvec3 fixed_point(const Affine& map) {
-    constexpr int most_rounds = 10'000;
-    constexpr double still = 1e-12;
-    glm::dvec3 p{0.0};
-    for (int round = 0; round < most_rounds; ++round) {
-        const glm::dvec3 next = map.point(p);
-        if (glm::length(next - p) <= still * (1 + glm::length(next))) return next;
-        p = next;
-    }
-    return p;
-}
-
-/// Whether the maps have clearly different fixed points, so that their attractor is no point.
-bool spread(const Rifs& rifs, const std::vector<int>& group) {
-    constexpr double clearly = 1e-6;
-    const glm::dvec3 p = fixed_point(rifs.maps[static_cast<std::size_t>(group[0])]);
-    return std::ranges::any_of(group, [&](int m) {
-        const glm::dvec3 q = fixed_point(rifs.maps[static_cast<std::size_t>(m)]);
-        return glm::length(q - p) > clearly * (1 + glm::length(p));
-    });
+    };
+    for (const NeighbourType& type : graph.types)
+        if (type.touches && !std::ranges::all_of(type.edges, join)) return false;
+    return std::ranges::all_of(graph.own[0], join) && groups.count() > 1;
 }
 
 }  // namespace
 
-std::vector<std::size_t> level_parts(const NeighbourGraph& graph, const Rifs& rifs,
-                                     std::size_t most) {
-    return Levels(graph, rifs, most).run();
-}
-
-bool has_connected_part(const NeighbourGraph& graph, const Rifs& rifs) {
-    if (graph.own.size() != 1) return false;
-    // Maps that hang together by themselves lie in one group of any larger choice of maps.
-    std::vector<std::vector<int>> waiting{rifs.follow_sets[0].maps};
-    while (!waiting.empty()) {
-        const std::vector<int> group = std::move(waiting.back());
-        waiting.pop_back();
-        if (group.size() < 2) continue;
-        const auto groups = groups_within(graph, group, rifs.maps.size());
-        if (groups.size() == 1) {
-            if (spread(rifs, group)) return true;
-            continue;
-        }
-        waiting.insert(waiting.end(), groups.begin(), groups.end());
+LevelParts level_parts(const NeighbourGraph& graph, const Rifs& rifs, std::size_t most) {
+    LevelParts result;
+    const bool by_groups = touch_by_groups(graph, rifs);
+    KnownParts known;
+    bool copy = false;
+    LevelCells level(graph, rifs, most);
+    while (level.level() < most_level && level.next()) {
+        const std::vector<Part> parts = parts_of(level);
+        result.counts.push_back(parts.size());
+        if (by_groups || copy) continue;
+        copy = known.have_copy(level, parts);
+        known.add(level, parts);
     }
-    return false;
+    if (by_groups) {
+        result.infinite = true;
+        result.why = "cells touch only if the maps of their words are, one by one, of one group";
+    } else if (copy) {
+        result.infinite = true;
+        result.why = "a part is a copy of a larger one that it is in, apart from the rest of it";
+    } else if (const auto stays = level_that_stays(graph, rifs, most)) {
+        result.infinite = false;
+        result.number = *stays == 0 ? 1 : result.counts[*stays - 1];
+        result.why = fmt::format("levels {} and {} fall into as many parts, and so do all further",
+                                 *stays, *stays + 1);
+    } else {
+        result.why = "the numbers of parts grow as far as they were counted";
+    }
+    return result;
 }
 
 }  // namespace pxm::host

@@ -1,8 +1,11 @@
-// Into how many parts a disconnected attractor falls: at a level, cells that have a common point
-// hang together, and the numbers of parts that do not grow with the level.
+// Into how many parts an attractor falls: at a level, cells that have a common point hang together,
+// and the numbers of parts that do not never fall from one level to the next. What they come to is
+// how many connected components the attractor has.
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "host/fractal/neighbours/neighbour_graph.hpp"
@@ -10,14 +13,15 @@
 
 namespace pxm::host {
 
-/// Of the levels 1, 2 ...: how many parts the cells of so many maps make, where those with a common
-/// point are one part. As far as there are at most `most` cells, and ten times as many pairs of
-/// them. Precondition: the graph is finite.
-[[nodiscard]] std::vector<std::size_t> level_parts(const NeighbourGraph& graph, const Rifs& rifs,
-                                                   std::size_t most);
+struct LevelParts {
+    std::vector<std::size_t> counts;    // of the levels 1, 2 ...
+    std::optional<std::size_t> number;  // of the attractor's components; nothing: see `infinite`
+    std::optional<bool> infinite;       // whether there is no such number; nothing: not known
+    std::string why;
+};
 
-/// Whether some maps of a system of one follow set have an attractor of their own that is connected
-/// and no point, so that the whole is not totally disconnected. False says nothing.
-[[nodiscard]] bool has_connected_part(const NeighbourGraph& graph, const Rifs& rifs);
+/// As far as there are at most `most` cells. Precondition: the graph is finite.
+[[nodiscard]] LevelParts level_parts(const NeighbourGraph& graph, const Rifs& rifs,
+                                     std::size_t most);
 
 }  // namespace pxm::host

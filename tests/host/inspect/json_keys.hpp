@@ -41,6 +41,7 @@ inline void expect_ifs_keys(const nlohmann::json& ifs, const std::string& where)
                  "connected",
                  "connected_why",
                  "parts_of_levels",
+                 "connected_pieces",
                  "boundary",
                  "interior",
                  "interior_why",

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/host/fractal/neighbours/exact_of.hpp"
-#include "tests/host/fractal/neighbours/interval_of.hpp"
+#include "tests/host/fractal/neighbours/findings_of.hpp"
 
 namespace pxm::test {
 namespace {

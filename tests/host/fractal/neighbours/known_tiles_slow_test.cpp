@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/host/fractal/neighbours/exact_of.hpp"
+#include "tests/host/fractal/neighbours/findings_of.hpp"
 #include "tests/support/paths.hpp"
 
 namespace pxm::test {

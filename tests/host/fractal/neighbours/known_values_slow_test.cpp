@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/host/fractal/neighbours/exact_of.hpp"
+#include "tests/host/fractal/neighbours/findings_of.hpp"
 
 namespace pxm::test {
 namespace {
@@ -59,7 +59,8 @@ TEST(KnownValues, heighway_dragon) {
                 1.523627);
 }
 
-// log 4 / log 3.
+// [Ryde21]: the boundary of a finite terdragon has 3 * 2^k edges, each of 1 / sqrt(3)^k: log 4 /
+// log 3.
 TEST(KnownValues, terdragon) {
     expect_tile(exact_of(system_of({"scale: 1/sqrt(3) rotate: z,30",
                                     "scale: 1/sqrt(3) rotate: z,-90 translate: 1/2,sqrt(3)/6,0",
@@ -74,7 +75,7 @@ TEST(KnownValues, levy_dragon) {
                 1.934007);
 }
 
-// 2 log 3 / log 7.
+// [Mandelbrot82]: its coast is of log 9 / log 7; its six neighbours are those of a hexagon.
 TEST(KnownValues, gosper_island) {
     std::vector<std::string> maps;
     for (const char* digit : {"0;0", "1;0", "1/2;sqrt(3)/2", "-1/2;sqrt(3)/2", "-1;0",
@@ -90,6 +91,8 @@ TEST(KnownValues, gosper_island) {
     EXPECT_EQ(found.touching, 6U);
 }
 
+// [Mandelbrot82]: of dimension log 4 / log 2. Twelve neighbours: any of the four corners of one
+// cell at any of the three others of the next.
 TEST(KnownValues, sierpinski_tetrahedron) {
     const ExactFindings found = exact_of(system_of(
         {"scale: 1/2", "scale: 1/2 translate: 1/2,0,0", "scale: 1/2 translate: 1/4,sqrt(3)/4,0",
@@ -101,6 +104,7 @@ TEST(KnownValues, sierpinski_tetrahedron) {
     EXPECT_EQ(found.interior.value, false);
 }
 
+// [Mandelbrot82]: log 20 / log 3. Cells are cubes of a grid, each of which has 26 around it.
 TEST(KnownValues, menger_sponge) {
     std::vector<std::string> maps;
     for (int i = 0; i < 27; ++i) {
@@ -115,7 +119,8 @@ TEST(KnownValues, menger_sponge) {
     EXPECT_EQ(found.touching, 26U);
 }
 
-/// 24 rings of a fifth in a ring, each through the next.
+// 24 rings of a fifth in a ring, each through the next, none touches: log 24 / log 5, a dust
+// [Hutchinson81].
 TEST(KnownValues, antoines_necklace) {
     std::vector<std::string> maps;
     for (int k = 0; k < 24; ++k)
@@ -128,7 +133,7 @@ TEST(KnownValues, antoines_necklace) {
     EXPECT_EQ(found.connected.value, false);
 }
 
-/// The d where (1 - 4/3^d)(1 - 3/2^d) = 1/6^d.
+// [MW88]: the d where the matrix of sums has spectral radius 1, (1 - 4/3^d)(1 - 3/2^d) = 1/6^d.
 TEST(KnownValues, a_graph_of_koch_and_sierpinski) {
     const ExactFindings found = exact_of(
         system_of({"k1 scale: 1/3", "k2 scale: 1/3 rotate: z,60 translate: 1/3,0,0",
@@ -144,6 +149,7 @@ TEST(KnownValues, a_graph_of_koch_and_sierpinski) {
     EXPECT_NEAR(found.hausdorff.value.value(), 1.7465453, digits);
 }
 
+// [Hutchinson81], Moran's equation: 8 k^d + 12 k^(2 d) = 1 with k = sqrt(2) - 1.
 TEST(KnownValues, jerusalem_cube) {
     std::vector<std::string> maps;
     const std::string r = "(sqrt(2)-1)";

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "tests/host/fractal/neighbours/exact_of.hpp"
+#include "tests/host/fractal/neighbours/findings_of.hpp"
 
 namespace pxm::test {
 namespace {
