@@ -1,5 +1,5 @@
-# `cmake --install`: the component `runtime` is the program with what it reads, `formats` the module
-# with OpenImageIO, `development` the libraries with their headers, `python` the Python module (python/CMakeLists.txt). A
+# `cmake --install`: the component `runtime` is the program with what it reads, `formats` the modules
+# with OpenImageIO and OpenVDB, `development` the libraries with their headers, `python` the Python module (python/CMakeLists.txt). A
 # tree that was installed may be moved as a whole.
 
 # public_headers(VARIABLE HEADER...): these headers of host/, and all that they include.
@@ -77,6 +77,9 @@ install(FILES ${CMAKE_BINARY_DIR}/install/pxm.pc DESTINATION ${CMAKE_INSTALL_LIB
 install(TARGETS pxm_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 install(TARGETS pxm_openexr pxm_flint LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT runtime)
 install(TARGETS pxm_openimageio LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT formats)
+if(PXM_WITH_OPENVDB)
+    install(TARGETS pxm_openvdb LIBRARY DESTINATION ${PXM_INSTALL_MODULES} COMPONENT formats)
+endif()
 install(DIRECTORY scenes DESTINATION ${PXM_INSTALL_DATA} COMPONENT runtime FILES_MATCHING PATTERN "*.pxm"
     PATTERN gallery EXCLUDE)
 install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)

@@ -44,6 +44,7 @@ struct Rule {
 const Rule library_rules[] = {
     {R"(#include\s*<OpenImageIO/)", "host/openimageio/.*", "OpenImageIO"},
     {R"(#include\s*<OpenEXR/)", "host/openexr/.*", "OpenEXR"},
+    {R"(#include\s*<openvdb/)", "host/openvdb/.*", "OpenVDB"},
     {R"(#include\s*<zlib\.h>)", "host/(output/png|files/deflated)\\.cpp", "zlib"},
     {R"(#include\s*<CLI/)", "host/commands/options\\.cpp", "CLI11"},
     {R"(#include\s*<nlohmann/)", "host/(.*json[^/]*|output/.*|commands/.*|study/.*)",
@@ -81,6 +82,7 @@ const Floors all_floors[] = {
       {"engine"},
       {"compile", "wide", "output", "openimageio", "openexr", "flint"},
       {"import", "export"},
+      {"openvdb"},
       {"render"},
       {"parts"},
       {"inspect"},

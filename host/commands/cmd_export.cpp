@@ -26,6 +26,7 @@ namespace pxm::host {
 namespace {
 
 constexpr std::uint64_t most_levels = 1'000;
+constexpr std::uint64_t most_voxels = 4'096;  // a side
 
 struct ExportArguments {
     std::string scene;
@@ -35,6 +36,7 @@ struct ExportArguments {
     std::optional<long> levels;
     std::optional<double> detail;
     std::optional<double> scale;
+    std::optional<long> voxels;
     std::vector<std::string> set;
     std::vector<std::string> allowed;
     bool geometry = false;
@@ -73,8 +75,16 @@ void require_cells(const ExportArguments& arguments, const ExportFormatName& for
                                 option, format.text));
 }
 
-/// Only glTF has both.
+/// Only glTF has both, and only a level set has voxels.
 void require_choice(const ExportArguments& arguments, const ExportFormatName& format) {
+    const bool vdb = format.format == ExportFormat::vdb;
+    if (arguments.voxels && !vdb)
+        throw Error(ErrorKind::setting,
+                    fmt::format("--voxels is for vdb, not for {}", format.text));
+    if (vdb && is_mesh_path(arguments.shape))
+        throw Error(
+            ErrorKind::setting,
+            "--shape: a level set is one of volumes: expected auto, ball, box, oriented or hull");
     if (!arguments.geometry || format.format == ExportFormat::gltf ||
         format.format == ExportFormat::glb)
         return;
@@ -103,6 +113,7 @@ ExitCode run_export(const ExportArguments& arguments) {
     ExportRequest request;
     request.levels = arguments.levels;
     request.detail = arguments.detail;
+    request.voxels = arguments.voxels;
     request.scale = arguments.scale.value_or(1);
     request.geometry = arguments.geometry;
     if (!is_mesh_path(arguments.shape)) request.shape.kind = kind_of(arguments.shape);
@@ -148,6 +159,10 @@ AddedCommand add_export_command(CommandLine& line) {
         .add_option("--detail", a->detail,
                     "Cells are as small as this length of the scene, or smaller")
         .transform(positive_number());
+    command
+        .add_option("--voxels", a->voxels,
+                    "Voxels of a vdb along its longest side; default 256, or of half the --detail")
+        .transform(whole_number(2, most_voxels));
     command
         .add_option("--shape", a->shape,
                     "What stands for a cell: a bounding volume or a mesh; default auto, the volume "

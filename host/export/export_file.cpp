@@ -9,6 +9,7 @@
 
 #include "host/error.hpp"
 #include "host/export/tally.hpp"
+#include "host/export/vdb_library.hpp"
 #include "host/export/writers.hpp"
 #include "host/files/safe_file.hpp"
 #include "host/text/printable.hpp"
@@ -62,6 +63,7 @@ void require_room(const ExportScene& scene, const CellTally& tally, ExportFormat
     if (format == ExportFormat::stl) require_stl(tally);
     if (format == ExportFormat::gltf) require_gltf(scene, tally, false);
     if (format == ExportFormat::glb) require_gltf(scene, tally, true);
+    if (format == ExportFormat::vdb) require_vdb(scene, tally);
     if (format == ExportFormat::usda && tally.number == CoordinateNumber::double_)
         throw Error(ErrorKind::setting,
                     "the cells are too small, or too far from the origin, for the floats of USD");
@@ -103,6 +105,9 @@ std::string write_cells(const ExportScene& scene, ExportFormat format, const std
         case ExportFormat::stl:
             write_safely(path, [&](CheckedFile& file) { write_stl(job, file); });
             break;
+        case ExportFormat::vdb:
+            write_safely(path, [&](CheckedFile& file) { write_vdb(job, file); });
+            return summary(tally, path) + told_of_voxels(scene, tally);
         default:
             write_safely(path, [&](CheckedFile& file) { write_ply_mesh(job, file); });
     }
@@ -147,6 +152,7 @@ ExportOutcome export_file(const Scene& scene, const ExportRequest& request,
             path, aifs ? aifs_text(scene, outcome.messages) : flame_text(scene, outcome.messages));
         return outcome;
     }
+    if (format.format == ExportFormat::vdb) (void)vdb_library();  // or say now that there is none
     Diagnostics diagnostics;
     const ExportScene cells = export_scene(scene, request, format.axes, diagnostics);
     outcome.messages = diagnostics.warnings_text(scene.files);

@@ -8,7 +8,7 @@
 
 namespace pxm::host {
 
-enum class ExportFormat { gltf, glb, usda, obj, ply, stl, pov, aifs, flame };
+enum class ExportFormat { gltf, glb, usda, obj, ply, stl, vdb, pov, aifs, flame };
 
 /// Axes of a file. A scene is left-handed: x to the right, y up, z away from the viewer.
 enum class FileAxes {
@@ -23,13 +23,14 @@ struct ExportFormatName {
     FileAxes axes;
 };
 
-inline constexpr std::array<ExportFormatName, 9> export_formats{
+inline constexpr std::array<ExportFormatName, 10> export_formats{
     {{"gltf", ExportFormat::gltf, FileAxes::z_to_viewer},
      {"glb", ExportFormat::glb, FileAxes::z_to_viewer},
      {"usda", ExportFormat::usda, FileAxes::z_to_viewer},
      {"obj", ExportFormat::obj, FileAxes::z_to_viewer},
      {"ply", ExportFormat::ply, FileAxes::of_scene},
      {"stl", ExportFormat::stl, FileAxes::z_up},
+     {"vdb", ExportFormat::vdb, FileAxes::z_to_viewer},
      {"pov", ExportFormat::pov, FileAxes::of_scene},
      {"aifs", ExportFormat::aifs, FileAxes::of_scene},
      {"flame", ExportFormat::flame, FileAxes::of_scene}}};

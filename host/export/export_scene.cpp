@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <limits>
@@ -60,6 +61,7 @@ class Builder {
         const ImageBlock image = scene_.image.value_or(ImageBlock{});
         result.view = make_view(scene_.camera.value_or(CameraBlock{}),
                                 image.size.value_or(PixelSize{}), ball_around(placed_), 1);
+        result.voxels = request_.voxels;
         result.scale = request_.scale;
         result.geometry = request_.geometry;
         result.most_cells = request_.most_cells;
@@ -132,7 +134,19 @@ class Builder {
 
     [[nodiscard]] SystemSet set_of(const std::vector<int>& maps, const CompiledVolume& volume) {
         const Mesh shape = request_.shape.mesh ? *request_.shape.mesh : mesh_of(volume);
-        return {maps, volume, image_of(shape, axes_)};
+        return {maps, turned(volume), image_of(shape, axes_)};
+    }
+
+    /// The same volume in the axes of the file, which only exchange axes and turn them over; cones
+    /// and cylinders have no place of their own.
+    [[nodiscard]] CompiledVolume turned(CompiledVolume volume) const {
+        volume.center = axes_.point(volume.center);
+        for (glm::dvec3& half : volume.half) half = axes_.direction(half);
+        for (HalfSpace& side : volume.half_spaces) side.normal = axes_.direction(side.normal);
+        const glm::dvec3 a = axes_.point(volume.low), b = axes_.point(volume.high);
+        volume.low = glm::min(a, b);
+        volume.high = glm::max(a, b);
+        return volume;
     }
 
     void set_ends(const ObjectBlock& block, ExportSystem& system) {

@@ -26,6 +26,7 @@ struct ShapeChoice {
 struct ExportRequest {
     std::optional<long> levels;    // in place of what objects say
     std::optional<double> detail;  // a length of the scene
+    std::optional<long> voxels;    // along the longest side, where a format has any
     double scale = 1;              // lengths in the file a length of the scene
     bool geometry = false;         // no instances, where a format has them
     ShapeChoice shape;
@@ -35,6 +36,7 @@ struct ExportRequest {
 struct ExportScene {
     std::vector<ExportSystem> systems;
     View view;
+    std::optional<long> voxels;
     double scale = 1;
     bool geometry = false;
     double most_cells = 1e9;

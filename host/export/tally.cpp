@@ -70,7 +70,7 @@ class Counter {
 }  // namespace
 
 void Watch::look() {
-    if (stop_) throw ExportStopped{};
+    stop_if_asked();
     if (expected_ > 0) progress_(static_cast<double>(visited_) / static_cast<double>(expected_));
 }
 
@@ -140,7 +140,7 @@ CellTally tally_of(const ExportScene& scene, Watch& watch) {
     double count = 0;
     tally.low = glm::dvec3{std::numeric_limits<double>::infinity()};
     tally.high = -tally.low;
-    double smallest = std::numeric_limits<double>::infinity();
+    tally.smallest = std::numeric_limits<double>::infinity();
     for (const ExportSystem& system : scene.systems) {
         Counter counter(system, tally.systems.emplace_back());
         if (system.detail <= 0 && cells_by_levels(system) > scene.most_cells)
@@ -155,7 +155,7 @@ CellTally tally_of(const ExportScene& scene, Watch& watch) {
                         fmt::format("object \"{}\" has cells that are larger than --detail after "
                                     "{} maps",
                                     printable(system.name), longest_word));
-        smallest = std::min(smallest, counter.smallest());
+        tally.smallest = std::min(tally.smallest, counter.smallest());
         tally.colored = tally.colored || system.colored || system.color != scene.systems[0].color;
     }
     for (std::size_t i = 0; i < scene.systems.size(); ++i)
@@ -171,7 +171,7 @@ CellTally tally_of(const ExportScene& scene, Watch& watch) {
             tally.high = glm::max(tally.high, set.high);
         }
     const glm::dvec3 far = glm::max(glm::abs(tally.low), glm::abs(tally.high));
-    if (smallest < steps_a_cell * float_spacing * std::max({far.x, far.y, far.z}))
+    if (tally.smallest < steps_a_cell * float_spacing * std::max({far.x, far.y, far.z}))
         tally.number = CoordinateNumber::double_;
     return tally;
 }

@@ -28,7 +28,10 @@ class Watch {
 
     /// Of `cells` visits in all; before the first of them.
     void expect(std::uint64_t cells) { expected_ = cells; }
-    /// Throws ExportStopped once a signal came.
+    /// Throws ExportStopped once a signal came, as visit() does now and then.
+    void stop_if_asked() const {
+        if (stop_) throw ExportStopped{};
+    }
     void visit() {
         if ((++visited_ & 0xfffU) == 0) look();
     }
@@ -60,6 +63,7 @@ struct CellTally {
     std::uint64_t triangles = 0;
     glm::dvec3 low{0.0};
     glm::dvec3 high{0.0};
+    double smallest = 0;   // the longest side of the box around the smallest cell
     bool colored = false;  // not all of one colour
     CoordinateNumber number = CoordinateNumber::single;
 };

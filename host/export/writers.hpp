@@ -47,6 +47,12 @@ void require_instances(const CellTally& tally);
 /// A PointInstancer a shape, a prim a cell where cells are sheared.
 void write_usda(const ExportJob& job, CheckedFile& file);
 
+/// One level set of all cells; OpenVDB's module is loaded. The second says how large voxels are, as
+/// a line.
+void write_vdb(const ExportJob& job, CheckedFile& file);
+[[nodiscard]] std::string told_of_voxels(const ExportScene& scene, const CellTally& tally);
+void require_vdb(const ExportScene& scene, const CellTally& tally);
+
 /// Unions inside unions, a level each: as long as the levels are many, however many the cells.
 [[nodiscard]] std::string pov_text(const ExportScene& scene, const std::string& title);
 

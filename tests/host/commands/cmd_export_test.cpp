@@ -293,6 +293,12 @@ TEST_F(Export, what_a_format_cannot_hold_is_refused_before_anything_is_written) 
                           {"--format"});
     expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a.ply", "--shape", "cow"}, 2,
                           {"--shape cow: expected auto, ball, box, oriented, hull, or a mesh"});
+    expect_refusal(folder,
+                   {"export", "menger.pxm", "-o", "a.ply", "--levels", "1", "--voxels", "9"}, 2,
+                   "--voxels is for vdb, not for ply");
+    expect_refusal(
+        folder, {"export", "menger.pxm", "-o", "a.vdb", "--levels", "1", "--shape", "t.obj"}, 2,
+        "--shape: a level set is one of volumes: expected auto, ball, box, oriented or hull");
     expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a.aifs", "--levels", "2"}, 2,
                           {"--levels says nothing to aifs"});
     expect_refusal_naming(folder, {"export", "menger.pxm", "-o", "a.flame"}, 3,

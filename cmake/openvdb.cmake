@@ -1,0 +1,22 @@
+# OpenVDB, for the volumes that `pxm export` writes (host/openvdb/). Nothing else needs it: where it is not there, that
+# format is left out, and `pxm --version --json` says so.
+option(PXM_OPENVDB "The module for OpenVDB, where libopenvdb-dev is" ON)
+set(PXM_WITH_OPENVDB OFF)
+
+if(NOT PXM_OPENVDB)
+    left_out("OpenVDB module" "PXM_OPENVDB is OFF")
+    return()
+endif()
+if(PXM_SANITIZE)
+    left_out("OpenVDB module" "the build has sanitizers")
+    return()
+endif()
+find_path(PXM_OPENVDB_HEADERS openvdb/openvdb.h)
+find_library(PXM_OPENVDB_LIBRARY openvdb)
+find_library(PXM_TBB_LIBRARY tbb)
+if(NOT PXM_OPENVDB_HEADERS OR NOT PXM_OPENVDB_LIBRARY OR NOT PXM_TBB_LIBRARY)
+    message(STATUS "The module for OpenVDB is left out: there is no OpenVDB (Debian's libopenvdb-dev)")
+    left_out("OpenVDB module" "there is no OpenVDB (libopenvdb-dev)")
+    return()
+endif()
+set(PXM_WITH_OPENVDB ON)
