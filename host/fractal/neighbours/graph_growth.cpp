@@ -1,6 +1,8 @@
 #include "host/fractal/neighbours/graph_growth.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 
 #include "host/fractal/system/components.hpp"
@@ -67,6 +69,43 @@ StepMatrix matrix_of(const GrowthGraph& graph, double d) {
     return matrix;
 }
 
+/// Of a component all of whose steps make cells smaller alike: the logarithm of the radius of its
+/// matrix over that of the ratio, by one power iteration in place of one for each exponent tried.
+/// The least and the largest growth of a positive vector's entries hold the radius between them
+/// (Collatz and Wielandt). Nothing if ratios differ, or the two do not meet.
+std::optional<Interval> exponent_of_one_ratio(const GrowthGraph& graph) {
+    constexpr double settled = 1e-13;
+    constexpr std::size_t most_work = 200'000'000;  // steps taken
+    const double log_ratio = graph.front().front().log_ratio;
+    std::size_t steps = 0, terms = 0;
+    for (const auto& row : graph) {
+        for (const GrowthStep& step : row)
+            if (step.log_ratio != log_ratio) return std::nullopt;
+        steps += row.size();
+        terms = std::max(terms, row.size());
+    }
+    std::vector<double> x(graph.size(), 1), y(graph.size(), 0);
+    for (std::size_t work = 0; work < most_work; work += steps) {
+        double least = INFINITY, most = 0, largest = 0;
+        for (std::size_t s = 0; s < graph.size(); ++s) {
+            double image = 0;
+            for (const GrowthStep& step : graph[s]) image += x[static_cast<std::size_t>(step.to)];
+            if (!(x[s] > 0)) return std::nullopt;
+            least = std::min(least, image / x[s]);
+            most = std::max(most, image / x[s]);
+            y[s] = image + x[s];  // the matrix may be periodic
+            largest = std::max(largest, y[s]);
+        }
+        if (most - least <= settled * most) {
+            const double margin = static_cast<double>(terms + 8) * 0x1p-52;
+            return Interval{std::log(least * (1 - margin)) / -log_ratio,
+                            std::log(most * (1 + margin)) / -log_ratio};
+        }
+        for (std::size_t s = 0; s < graph.size(); ++s) x[s] = y[s] / largest;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Interval> growth_exponent(const GrowthGraph& graph) {
@@ -76,8 +115,10 @@ std::optional<Interval> growth_exponent(const GrowthGraph& graph) {
         if (!part.branches) continue;
         std::vector<std::vector<int>> all(1);
         for (std::size_t s = 0; s < part.graph.size(); ++s) all[0].push_back(static_cast<int>(s));
-        const Interval found =
-            critical_exponent([&](double d) { return growth(matrix_of(part.graph, d), all); });
+        const auto at_once = exponent_of_one_ratio(part.graph);
+        const Interval found = at_once ? *at_once : critical_exponent([&](double d) {
+            return growth(matrix_of(part.graph, d), all);
+        });
         if (found.middle() > largest->middle()) largest = found;
     }
     return largest;

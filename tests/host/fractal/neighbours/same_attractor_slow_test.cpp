@@ -162,6 +162,7 @@ TEST(SameAttractor, no_two_ways_to_write_it_contradict_each_other) {
         graph.same_words();
     }
     EXPECT_GT(decided, systems / 2);
+    RecordProperty("decided", decided);
 }
 
 }  // namespace
