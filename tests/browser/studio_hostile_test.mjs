@@ -178,10 +178,12 @@ const tests = {
       const old = `# old ${'o'.repeat(900_000)}\n`, fresh = `# new ${'n'.repeat(900_000)}\n`;
       const file = join(mortal.folder, 'saved.pxm');
       const save = (text, seen) => send('/api/save', { to: at.port, method: 'POST', headers, body: JSON.stringify({ name: 'saved.pxm', text, seen }) }).then(r => JSON.parse(r.body));
+      const begin = performance.now();
       const { digest } = await save(old, '');
       assert.ok(digest);
+      const took = performance.now() - begin;
       const saving = save(fresh, digest).catch(() => null);
-      await pause(round * (many ? 1 : 7));
+      await pause(2 * took * round / rounds);  // from before it has come until it is done
       mortal.child.kill('SIGKILL');
       await saving;
       await mortal.ended;
@@ -193,6 +195,7 @@ const tests = {
       rmSync(`${mortal.folder}.secret.pxm`, { force: true });
     }
     console.log(`  the old file ${found.old} times, the new one ${found.new} times`);
+    assert.ok(found.old > 0 && found.new > 0, 'some were killed before it was done, and some after');
   },
 
   async memory_is_flat_over_many_events() {
