@@ -4,6 +4,8 @@
 #pragma once
 
 #include <functional>
+#include <glm/vec3.hpp>
+#include <vector>
 
 #include "host/export/cells.hpp"
 #include "host/export/solid.hpp"

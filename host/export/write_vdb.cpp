@@ -3,11 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
+#include <functional>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
+#include <new>
+#include <string>
 
 #include "host/error.hpp"
+#include "host/export/vdb_library.hpp"
 #include "host/export/voxels.hpp"
 #include "host/export/writers.hpp"
 

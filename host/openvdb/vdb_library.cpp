@@ -7,8 +7,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
 #include <sstream>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "host/export/vdb_library.hpp"
 

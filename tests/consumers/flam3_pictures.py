@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import numpy as np
+from point_sets import distance, points_of_ply
 
 pxm, flam3_render, folder = sys.argv[1:]
 columns, rows = 400, 300
@@ -86,10 +87,7 @@ def their_pixels(name):
 
 def our_points(name):
     run(pxm, "points", name + ".pxm", "-n", str(few_points), "-o", name + ".ply", "--precision", "float", "--quiet")
-    data = open(os.path.join(folder, name + ".ply"), "rb").read()
-    head = data[: data.index(b"end_header\n") + 11]
-    fields = [(n, {"float": "<f4", "uchar": "u1"}[t]) for t, n in re.findall(r"property (\w+) (\w+)", head.decode())]
-    return np.frombuffer(data, dtype=fields, offset=len(head))
+    return points_of_ply(os.path.join(folder, name + ".ply"))
 
 
 def our_pixels(name, view):
@@ -105,17 +103,6 @@ def our_pixels(name, view):
     pixels = np.zeros((rows, columns), bool)
     pixels[row.astype(int), column.astype(int)] = True
     return pixels
-
-
-def farthest(some, others):
-    """The largest distance of a pixel of one to the nearest of the other."""
-    there = np.argwhere(others)
-    return max((math.sqrt(((there - one) ** 2).sum(1).min()) for one in np.argwhere(some & ~others)), default=0.0)
-
-
-def distance(a, b):
-    """Hausdorff's, as a share of the diameter of the first."""
-    return max(farthest(a, b), farthest(b, a)) / math.hypot(*np.ptp(np.argwhere(a), axis=0))
 
 
 for name, (view, transforms) in flames.items():
