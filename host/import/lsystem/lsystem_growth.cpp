@@ -78,6 +78,7 @@ class GrowthSearch {
     /// Level zero. Returns how many levels are looked at if nothing settles earlier.
     int begin() {
         constexpr std::size_t most_commands = 3'000'000;
+        if (grammar_.rules.empty()) fail("its axiom turns the turtle and draws nothing");
         std::size_t commands = 1;
         for (const Rule& rule : grammar_.rules) commands += rule.commands.size();
         if (commands > longest_rules)

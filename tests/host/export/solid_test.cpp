@@ -45,7 +45,7 @@ double dot_of_faces(const Mesh& mesh, const glm::dvec3& x) {
 
 /// Of a triangle, by points of it.
 double distance_to_triangles(const Mesh& mesh, const glm::dvec3& x) {
-    constexpr int steps = 60;
+    constexpr int steps = 30;
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& [a, b, c] : triangles_of(mesh))
         for (int i = 0; i <= steps; ++i)
@@ -71,13 +71,15 @@ TEST(Solid, is_as_far_away_as_the_nearest_point_of_its_surface) {
         for (const Affine& place : {Affine{}, turned(), sheared()}) {
             const Mesh mesh = image_of(mesh_of(volume), place);
             const Solid solid = solid_of(volume, place);
-            for (int i = 0; i < 6; ++i) {
-                const glm::dvec3 x = random_point(random);
+            const Box3 box = solid.extent({});
+            for (int i = 0; i < 16; ++i) {  // about a quarter of them inside
+                const glm::dvec3 x = (box.low + box.high) / 2.0 +
+                                     random_point(random) / 4.0 * (box.high - box.low) * 0.7;
                 const double side = dot_of_faces(mesh, x);
                 const double found = solid.distance(x, reach);
                 EXPECT_EQ(found < 0, side < 0);
                 const double expected = side < 0 ? side : distance_to_triangles(mesh, x);
-                EXPECT_NEAR(found, expected, side < 0 ? 1e-12 : 0.05);
+                EXPECT_NEAR(found, expected, side < 0 ? 1e-12 : 0.1);
             }
         }
     }

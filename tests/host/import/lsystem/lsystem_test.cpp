@@ -184,6 +184,10 @@ TEST(Lsystem, what_has_no_limit_is_refused_with_the_reason) {
                 testing::HasSubstr("differently at every level"));
     EXPECT_THAT(refusal(entry("Angle 4\nAxiom G\nG=GG")),
                 testing::HasSubstr("what it draws does not grow"));
+    for (const std::string axiom : {"-", "+-|", "[]", "-[+]", "@.5", "!"})
+        EXPECT_THAT(refusal(entry("Angle 4\nAxiom " + axiom + "\nF=FGF")),
+                    testing::HasSubstr("its axiom turns the turtle and draws nothing"))
+            << axiom;
 }
 
 /// The similarity dimension of a system of one kind whose maps have one ratio.
