@@ -2,7 +2,7 @@
 // Each routine is a sequence of multiply-adds of the chip; one statement below is one instruction.
 // "quick" is what AT&T's routines reach, the plain names add a Newton step and end with `round`.
 // Seed and cost are known, coefficients are our own (docs/arithmetic.md has the accuracies, which
-// tests/pxm/dsp32/routines_slow_test.cpp measures).
+// tests/pxm/dsp32/routines_full_test.cpp measures).
 #pragma once
 
 #include "pxm/dsp32/accumulator.hpp"

@@ -9,7 +9,7 @@ namespace {
 
 TEST(AssembledMachine, larger_pictures_are_those_of_the_counted_kernels) {
     for (const char* name : {"tetra", "menger", "elm"})
-        expect_same(name, assembled("964dX", 160, 120));
+        expect_same(name, assembled("964dX", 80, 60));
 }
 
 TEST(AssembledMachine, so_are_systems_with_boxes) {

@@ -5,7 +5,7 @@ namespace pxm::host {
 namespace {
 
 TEST(CampaignShare, systems_lie_in_their_bounds) {
-    for (unsigned seed = 0; seed < 240; ++seed) {
+    for (unsigned seed = 0; seed < 80; ++seed) {
         campaign::bounds_contain(seed);
         if (testing::Test::HasFatalFailure()) return;
     }

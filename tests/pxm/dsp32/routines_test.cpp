@@ -1,5 +1,5 @@
 // Laws of pxm/dsp32/routines: corners, and the stated accuracies on a sparse sweep
-// (routines_slow_test.cpp sweeps every mantissa).
+// (routines_full_test.cpp sweeps every mantissa).
 #include "tests/pxm/dsp32/sweep.hpp"
 
 namespace pxm::dsp32::routines {
