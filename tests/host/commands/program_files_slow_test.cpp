@@ -231,7 +231,7 @@ TEST_F(ProgramFiles, a_small_stack_changes_nothing) {
     for (int i = 0; i < 5000; ++i) deep += "(";
     folder.write("deep.pxm", deep);
     std::string ring = "ifs ring {\n";
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 1000; ++i) {
         ring += "newmap m" + std::to_string(i) +
                 " scale: 0.4 translate: " + std::to_string(i % 50) + "," + std::to_string(i / 50) +
                 ",0\n";
