@@ -25,7 +25,11 @@ Json libraries_json(const BuildFacts& facts) {
 }  // namespace
 
 std::string version_text() {
-    return std::string("pxm " PXM_VERSION "\nrequired: ") + build_facts().libraries;
+    const BuildFacts& facts = build_facts();
+    std::string text = std::string("pxm " PXM_VERSION "\nrequired: ") + facts.libraries;
+    for (const LeftOut& left : facts.left_out)
+        text += std::string("\nleft out: ") + left.what + ": " + left.because;
+    return text;
 }
 
 std::string version_json() {

@@ -5,7 +5,7 @@
 
 namespace pxm::host {
 
-/// The version, and the libraries that are required.
+/// The version, the libraries that are required, and a line for each thing that was left out.
 [[nodiscard]] std::string version_text();
 
 /// One object (docs/command-line.md).

@@ -152,7 +152,8 @@ TEST_F(Export, instances_are_written_where_cells_are_turned_and_geometry_where_t
     EXPECT_THAT(folder.read("a.glb"), HasSubstr("COLOR_0"));
 }
 
-/// three.js, for one, turns no faces of mirrored instances over (findings/three_mirrored_instance.sh).
+/// three.js, for one, turns no faces of mirrored instances over
+/// (findings/three_mirrored_instance.sh).
 TEST_F(Export, instances_that_mirror_are_seen_from_both_sides) {
     (void)write("turning.pxm", "a.glb");
     EXPECT_THAT(folder.read("a.glb"), HasSubstr("\"doubleSided\":true"));

@@ -55,6 +55,9 @@ TEST(Version, as_json_has_the_libraries_of_the_plain_one_with_versions) {
         }
     }
     EXPECT_EQ(named, expected);
+    for (const Json& left : json.at("left_out"))
+        EXPECT_THAT(plain, testing::HasSubstr("\nleft out: " + left.at("what").get<std::string>() +
+                                              ": " + left.at("because").get<std::string>()));
     EXPECT_EQ(plain.substr(0, plain.find('\n')), "pxm " + json.at("pxm").get<std::string>());
 }
 
