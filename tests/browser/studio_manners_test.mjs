@@ -587,6 +587,40 @@ const tests = {
     await settled(page);
     return opened;
   },
+
+  async a_double_click_presses_nothing_that_came_under_the_pointer() {
+    const opened = await scene('menger.pxm');
+    const { page } = opened;
+    const before = await textOf(page);
+    const count = () => page.$$eval('.card', all => all.length);
+    const maps = await count();
+    await page.click('.map-title >> nth=0');
+    // The header of the second map, a line at a time down its height: something of the map that slides up
+    // is under the pointer each time.
+    for (let y = 4; y < 34; y += 6) {
+      await page.evaluate(() => studio.select(0, 0));
+      await page.dblclick('.map-title >> nth=1', { position: { x: 60, y } });
+      assert.equal(await textOf(page), before, `${y} pixels down the header`);
+      assert.equal(await page.getAttribute('.map-title >> nth=1', 'aria-expanded'), 'true', 'it is open');
+    }
+    // One thing is done once: a double click deletes, and removes, one.
+    await page.click('.map-title >> nth=0');
+    await page.dblclick('.card.open button:text-is("Delete")');
+    assert.equal(await count(), maps - 1);
+    await page.click('#undo');
+    await page.evaluate(() => studio.select(0, 0));
+    const steps = await page.$$eval('.card.open .step', all => all.length);
+    await page.dblclick('.card.open [aria-label^="remove"] >> nth=0');
+    assert.equal(await page.$$eval('.card.open .step', all => all.length), steps - 1);
+    await page.click('#undo');
+    // Two clicks on what stays are two.
+    await page.dblclick('[data-key="add"]');
+    assert.equal(await count(), maps + 2);
+    await page.evaluate(() => { studio.undo(); studio.undo(); });
+    assert.equal(await textOf(page), before);
+    await settled(page);
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

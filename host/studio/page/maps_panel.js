@@ -90,12 +90,12 @@ export class MapsPanel {
   card(map, index) {
     const open = index === this.scene().map;
     const act = (label, title, edit, then) => element('button', {
-      class: 'small', title, 'aria-label': title, 'data-key': `${index}.${title}`,
+      class: 'small', title, 'aria-label': title, 'data-key': `${index}.${title}`, 'data-once': '',
       onclick: () => { this.edit(edit()); if (then !== undefined) this.select(this.scene().ifs, then()); },
     }, label);
     const count = () => this.block().maps.length - 1;
     const title = element('button', { class: 'map-title', 'aria-expanded': String(open), 'data-key': `${index}.title`,
-      onclick: () => this.select(this.scene().ifs, open ? -1 : index) },
+      'data-once': '', onclick: () => this.select(this.scene().ifs, open ? -1 : index) },
       element('span', { class: 'swatch', 'data-swatch': index }),
       element('span', {}, map.name ? `${index + 1} ${map.name}` : `Map ${index + 1}`),
       element('span', { class: 'lip', 'data-lip': index, title: 'How much it shrinks: its largest stretch' }));
@@ -127,7 +127,7 @@ export class MapsPanel {
       element('span', { class: 'ends' },
         element('button', { class: 'small', title: 'Earlier', 'aria-label': `${step.word} earlier`, 'data-key': `${key}.up`, onclick: () => move(s - 1) }, '↑'),
         element('button', { class: 'small', title: 'Later', 'aria-label': `${step.word} later`, 'data-key': `${key}.down`, onclick: () => move(s + 1) }, '↓'),
-        element('button', { class: 'small', title: 'Remove this step', 'aria-label': `remove ${step.word}`, 'data-key': `${key}.remove`,
+        element('button', { class: 'small', title: 'Remove this step', 'aria-label': `remove ${step.word}`, 'data-key': `${key}.remove`, 'data-once': '',
           onclick: () => this.edit(edits.removeDirective(this.text(), now()[s])) }, '×')));
     row.addEventListener('dragstart', e => { e.dataTransfer.setData('text/plain', String(s)); e.dataTransfer.effectAllowed = 'move'; });
     row.addEventListener('dragover', e => e.preventDefault());

@@ -16,6 +16,7 @@ import { Live } from './live.js';
 import { MachinePanel } from './machine_panel.js';
 import { MapsPanel } from './maps_panel.js';
 import { Place } from './place.js';
+import { mindDoubleClicks } from './presses.js';
 import { Rendering } from './rendering.js';
 import * as saving from './saving.js';
 import * as server from './server.js';
@@ -314,6 +315,7 @@ class Studio {
   }
 
   connect() {
+    mindDoubleClicks(document);
     const press = (id, action) => byId(id).addEventListener('click', action);
     press('undo', () => this.undo());
     press('redo', () => this.redo());
