@@ -621,6 +621,42 @@ const tests = {
     await settled(page);
     return opened;
   },
+
+  async wires_do_not_cover_the_picture() {
+    const opened = await openPage(context, studio.address, '#scene=sunflower_field.pxm&from=pxm');
+    const { page } = opened;
+    await page.waitForFunction(() => window.studio?.checked);
+    const marks = () => page.evaluate(() => {
+      studio.handles.draw();
+      const { width, height } = document.getElementById('handles');
+      return document.getElementById('handles').getContext('2d').getImageData(0, 0, width, height).data.reduce((n, v, i) => n + (i % 4 === 3 && v > 0 ? 1 : 0), 0);
+    });
+    assert.equal(await page.inputValue('#wires'), 'open', 'of 41 maps not all are drawn');
+    assert.equal(await marks(), 0, 'and none while none is open');
+    await page.selectOption('#wires', 'all');
+    const all = await marks();
+    assert.ok(all > 1000);
+    await page.selectOption('#wires', 'open');
+    await page.click('.map-title >> nth=0');
+    const one = await marks();
+    assert.ok(one > 0 && one < all, `${one} of ${all}`);
+    await page.focus('#handles');
+    await press(page, 'w');
+    assert.equal(await page.inputValue('#wires'), 'none');
+    assert.equal(await marks(), 0);
+    // What is not drawn is not taken hold of.
+    assert.equal(await page.evaluate(() => { for (let x = 0; x < 900; x += 5) for (let y = 0; y < 600; y += 5) if (studio.handles.hit(x, y) || studio.handles.nearest(x, y) >= 0) return true; return false; }), false);
+    await press(page, 'h');
+    assert.equal(await page.inputValue('#wires'), 'open', 'a handle is seen that is chosen');
+    await page.click('#tab-facts');
+    assert.ok(await page.isHidden('#wires-label'));
+    await page.evaluate(() => { location.hash = 'scene=tetra.pxm'; });
+    await page.waitForFunction(() => studio.name === 'tetra.pxm' && studio.base);
+    await page.click('#tab-maps');
+    assert.equal(await page.inputValue('#wires'), 'all', 'of five maps all are drawn');
+    await settled(page);
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

@@ -8,7 +8,7 @@ const key_turn = 0.08, key_move = 0.1, key_zoom = 1.25, key_pixels = 6, key_far 
 
 export class Gestures {
   /// `app`: camera, setCamera(camera, kind), zoomAt(x, y, factor), clicked(x, y), back(), reset(),
-  /// chooseHandle(step), handles, edited(text), editEnds(), hovered(hit). Places are CSS pixels of the canvas.
+  /// chooseHandle(step), nextWires(), handles, edited(text), editEnds(), hovered(hit). Places are CSS pixels of the canvas.
   constructor(canvas, app) {
     this.canvas = canvas;
     this.app = app;
@@ -104,6 +104,7 @@ export class Gestures {
     else if (event.key === 'Backspace') this.app.back();
     else if (event.key === 'Enter') this.app.clicked(w / 2, h / 2);
     else if (event.key.toLowerCase() === 'h') this.app.chooseHandle(event.shiftKey ? -1 : 1);
+    else if (event.key.toLowerCase() === 'w') this.app.nextWires();
     else if (event.key === 'Escape' && this.app.handles.keyed) this.app.handles.letGo();
     else return;
     event.preventDefault();

@@ -6,6 +6,7 @@ import { add, direction, identity, inverse, lipschitz, point, scaled } from './v
 
 const faces = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];  // each without the corner of its number
 const edges = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+const most_wires = 12;  // maps of which all are drawn unless one asks for it: more cover the picture
 const reach = 14;  // CSS pixels around a handle that mean it
 const upright = [[0, 1, 0], [0, -1 / 3, -Math.sqrt(8) / 3], [Math.sqrt(2 / 3), -1 / 3, Math.sqrt(2) / 3], [-Math.sqrt(2 / 3), -1 / 3, Math.sqrt(2) / 3]];
 
@@ -34,6 +35,15 @@ export class Handles {
     this.drag = null;
     this.hovered = null;
     this.keyed = null;  // that arrow keys move: { map, corner }
+    this.chosen = '';   // which maps somebody wants to be drawn; '' as long as nobody has said it
+  }
+
+  /// Which maps are drawn: 'all', the one that is 'open', or 'none'.
+  wiresOf(count) { return this.chosen || (count > most_wires ? 'open' : 'all'); }
+  /// The maps that are drawn, by their places in the system.
+  drawnIn(scene) {
+    const wires = this.wiresOf(scene.block.maps.length);
+    return scene.block.maps.flatMap((_, i) => (wires === 'all' || (wires === 'open' && i === scene.map) ? [i] : []));
   }
 
   /// Once a frame: whoever asks the page for it has it laid out.
@@ -76,9 +86,11 @@ export class Handles {
   }
 
   drawMaps(context, scene) {
+    const drawn = this.drawnIn(scene);
+    if (drawn.length === 0) return;
     this.tetrahedron(context, scene.reference.map(c => this.toScreen(scene.camera, point(scene.place, c))), 'whole');
-    scene.block.maps.forEach((_, i) => { if (i !== scene.map) this.drawMap(context, scene, i, 'other'); });
-    if (scene.map >= 0) this.drawMap(context, scene, scene.map, 'selected');
+    for (const i of drawn) if (i !== scene.map) this.drawMap(context, scene, i, 'other');
+    if (drawn.includes(scene.map)) this.drawMap(context, scene, scene.map, 'selected');
   }
 
   drawMap(context, scene, index, role) {
@@ -131,7 +143,7 @@ export class Handles {
     const scene = this.scene();
     if (!scene) return null;
     const far = p => Math.hypot(p.x - x, p.y - y);
-    if (scene.map >= 0) {
+    if (this.drawnIn(scene).includes(scene.map)) {
       const corners = this.cornersIn(scene, scene.map)?.map(c => this.toScreen(scene.camera, c));
       if (corners?.every(c => c.ahead > 0)) {
         const all = [...corners, this.middle(corners)];
@@ -149,7 +161,7 @@ export class Handles {
     const scene = this.scene();
     if (!scene) return -1;
     let best = -1, least = 30;
-    scene.block.maps.forEach((_, i) => {
+    this.drawnIn(scene).forEach(i => {
       const corners = this.cornersIn(scene, i)?.map(c => this.toScreen(scene.camera, c));
       if (!corners?.every(c => c.ahead > 0)) return;
       const m = this.middle(corners), distance = Math.hypot(m.x - x, m.y - y);

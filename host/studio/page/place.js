@@ -69,6 +69,7 @@ export class Place {
     studio.live.clear();
     studio.flight.forget();
     studio.endDescent();
+    studio.handles.chosen = '';
     studio.live.fit(studio.facts.limits);
     studio.textChanged();
     await studio.answered;

@@ -98,6 +98,7 @@ class Studio {
     if (this.map >= maps) this.map = maps - 1;
     this.editor.set(this.text);
     this.maps.draw();
+    this.drawWires();
     this.handles.draw();
     this.place.keepText();
     byId('undo').disabled = !this.history.canUndo;
@@ -187,8 +188,27 @@ class Studio {
     return undefined;
   }
 
+  /// Which maps are drawn over the picture; '' is as many as leave something of it to be seen.
+  showWires(chosen) {
+    this.handles.chosen = chosen;
+    this.handles.keyed = null;
+    this.drawWires();
+    this.handles.draw();
+  }
+  drawWires() {
+    byId('wires').value = this.handles.wiresOf(this.outline.ifs[this.ifs]?.maps.length ?? 0);
+    byId('wires-label').hidden = this.tab !== 'maps' || this.outline.ifs.length === 0;
+  }
+  nextWires() {
+    const [...ways] = byId('wires').options, now = byId('wires').selectedIndex;
+    if (byId('wires-label').hidden) return toast('Wires are those of the panel Maps.');
+    this.showWires(ways[(now + 1) % ways.length].value);
+    return toast(`Wires: ${byId('wires').selectedOptions[0].textContent}.`);
+  }
+
   /// For keys: the handles of the selected map in turn.
   chooseHandle(step) {
+    if (byId('wires').value === 'none') this.showWires('open');
     if (this.tab === 'maps' && this.map < 0 && this.outline.ifs[this.ifs]?.maps.length > 0) this.select(this.ifs, 0);
     const what = this.handles.choose(step);
     toast(what ? `Map ${this.map + 1}, ${what}: arrow keys move it, Escape lets go.` : 'Handles are those of the map that is open in Maps.');
@@ -245,6 +265,7 @@ class Studio {
     this.ifs = ifs;
     this.map = map;
     this.maps.draw();
+    this.drawWires();
     this.handles.letGo();
   }
 
@@ -310,6 +331,7 @@ class Studio {
     if (tab !== 'machine' && this.machine) this.useMachine('');
     if (tab !== 'machine' && this.volumes.cells.length > 0) this.endDescent();
     if (tab === 'machine') this.machines.draw();
+    this.drawWires();
     this.handles.draw();
     this.place.note();
   }
@@ -336,6 +358,7 @@ class Studio {
     };
     byId('volume-level').addEventListener('input', volumes);
     byId('volume-kind').addEventListener('change', volumes);
+    byId('wires').addEventListener('change', event => this.showWires(event.target.value));
     press('help', () => byId('help-dialog').showModal());
     press('theme', () => this.changeTheme());
     for (const tab of tabs) press(`tab-${tab}`, () => this.choose(tab));
