@@ -657,6 +657,52 @@ const tests = {
     await settled(page);
     return opened;
   },
+
+  async nothing_is_said_of_a_picture_that_is_no_longer_there() {
+    const opened = await scene('tetra.pxm');
+    const { page } = opened;
+    const word = () => page.textContent('#word');
+    const timing = () => page.textContent('#timing');
+    const click = async () => {
+      await settled(page);
+      await page.focus('#handles');
+      await press(page, 'Enter');
+      await page.waitForFunction(() => document.getElementById('word').textContent !== '');
+    };
+    await click();
+    await press(page, 'ArrowLeft');
+    assert.equal(await word(), '', 'the view is another');
+    await click();
+    await page.evaluate(() => studio.edit(studio.text.replace('0.5', '0.45'), 'panel'));
+    assert.equal(await word(), '', 'the text is another');
+    // An answer that comes too late is not about what is seen.
+    await settled(page);
+    let go;
+    const held = new Promise(done => { go = done; });
+    await page.route('**/api/pick', async route => { await held; await route.continue(); });
+    const answered = page.waitForResponse('**/api/pick');
+    await press(page, 'Enter', 'ArrowLeft');
+    go();
+    await answered;
+    await settled(page);
+    assert.equal(await word(), '');
+    await page.unroute('**/api/pick');
+    await click();
+    // While the next scene is awaited, nothing stands there of this one.
+    assert.match(await timing(), /^\d+×\d+, /);
+    let show;
+    const shown = new Promise(done => { show = done; });
+    await page.route('**/api/picture', async route => { await shown; await route.continue(); });
+    await page.evaluate(() => { location.hash = 'scene=fir.pxm'; });
+    await page.waitForFunction(() => studio.name === 'fir.pxm' && studio.base);
+    assert.equal(await word(), '');
+    assert.equal(await timing(), 'rendering …');
+    show();
+    await settled(page);
+    assert.match(await timing(), /^\d+×\d+, /);
+    await page.unroute('**/api/picture');
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

@@ -14,7 +14,8 @@ const pause = time => new Promise(done => setTimeout(done, time));
 
 export class Live {
   /// `question()` is what to show: {name, text, settings, samples, machine, frame}; `told(event)` hears
-  /// of every picture, and of what is wrong.
+  /// of every picture and of what is wrong, that there is another one to come ('changed'), and that there
+  /// is none ('halted').
   constructor(canvas, question, told) {
     this.canvas = canvas;
     this.context = canvas.getContext('2d', { alpha: false });
@@ -50,6 +51,7 @@ export class Live {
   clear() {
     this.last = null;
     this.wholeTook = Infinity;
+    this.told({ kind: 'halted' });
     this.context.fillStyle = getComputedStyle(this.canvas).getPropertyValue('--stage');
     this.context.fillRect(0, 0, this.canvas.width, this.canvas.height);
   }
@@ -67,6 +69,7 @@ export class Live {
   change() {
     ++this.version;
     this.changed = performance.now();
+    this.told({ kind: 'changed' });
     if (!this.running) this.run();
     else if (this.wake) this.wake();
   }
@@ -74,6 +77,7 @@ export class Live {
   /// Nothing more for what is to show now; what is shown stays.
   stop() {
     this.halted = this.version;
+    this.told({ kind: 'halted' });
     if (this.wake) this.wake();
   }
 

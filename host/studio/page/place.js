@@ -42,6 +42,7 @@ export class Place {
     if (studio.tab === 'machine') studio.useMachine(studio.facts.models.find(m => m.name === wanted.machine)?.name ?? '');
     if (wanted.frame) await studio.setFrame(Math.min(Number(wanted.frame) || 0, Number(byId('frame').max)));
     if (studio.base) {
+      studio.forgetWord();
       studio.camera = cameras.fromAddress(wanted.view ?? '', studio.base);
       studio.cameraChanged();
     }

@@ -27,6 +27,7 @@ import { Volumes } from './volumes.js';
 import { Working } from './working.js';
 
 const tabs = ['maps', 'text', 'facts', 'machine'];
+const word_title = 'The maps that lead to the cell that was clicked, outermost first';
 const trail_pause = 700;  // milliseconds between moves that are steps of the way back
 
 class Studio {
@@ -45,6 +46,7 @@ class Studio {
     this.ifs = 0;
     this.map = -1;
     this.tab = 'maps';
+    this.wordsForgotten = 0;
     this.timings = [];  // of the last pictures, milliseconds
     this.makeParts();
     this.connect();
@@ -93,6 +95,7 @@ class Studio {
   textChanged() {
     this.outline = outlineOf(this.text);
     this.lets = letsOf(this.outline);
+    this.forgetWord();
     this.ifs = Math.min(this.ifs, Math.max(0, this.outline.ifs.length - 1));
     const maps = this.outline.ifs[this.ifs]?.maps.length ?? 0;
     if (this.map >= maps) this.map = maps - 1;
@@ -133,6 +136,7 @@ class Studio {
     }
     this.movedAt = now;
     if (kind !== 'zoom') this.flight.forget();
+    if (kind !== 'zoom') this.forgetWord();  // a flight goes on to the cell that it says
     this.camera = camera;
     this.cameraChanged();
   }
@@ -161,9 +165,18 @@ class Studio {
   }
 
   async pickAt(x, y) {
+    const asked = this.wordsForgotten;
     const answer = await server.pick({ ...this.finished(), machine: '' }, ...this.pixelAt(x, y));
-    if (answer) this.showWord(answer.cell);
+    if (answer && asked === this.wordsForgotten) this.showWord(answer.cell);
     return answer?.cell ?? null;
+  }
+
+  /// The picture is of something else, so that what was said of a pixel is no longer so, nor what will be
+  /// answered to an earlier question.
+  forgetWord() {
+    ++this.wordsForgotten;
+    say('word', '');
+    byId('word').title = word_title;
   }
 
   showWord(cell) {
@@ -270,23 +283,32 @@ class Studio {
   }
 
   pictured(event) {
+    if (event.kind === 'changed') return this.showTiming(this.goodText === '' ? '–' : 'rendering …');
     byId('busy').hidden = event.kind !== 'picture' || event.phase !== 'coarse';
+    if (event.kind === 'halted' || event.kind === 'refused') this.showTiming('–');
     if (event.kind === 'refused') {
       if (this.machine) this.machines.refuse(event.error.message);
       if (event.error.kind === 'scene') this.checking.showMistakes(event.error);
       else toast(event.error.message, 'bad');
     }
-    if (event.kind !== 'picture') return;
+    if (event.kind !== 'picture') return undefined;
     document.documentElement.dataset.phase = event.phase;
     const { statistics, warnings } = event.picture.head;
     if (event.phase !== 'coarse') {
-      byId('timing').textContent = `${event.picture.pixels.width}×${event.picture.pixels.height}, ${duration(statistics.seconds.render)}`;
-      byId('timing').title = `${statistics.engine}, ${statistics.numeric}, ${statistics.intersect.method}: ${statistics.intersect.because}`;
+      this.showTiming(`${event.picture.pixels.width}×${event.picture.pixels.height}, ${duration(statistics.seconds.render)}`,
+        `${statistics.engine}, ${statistics.numeric}, ${statistics.intersect.method}: ${statistics.intersect.because}`);
       if (warnings.trim() && this.text === this.goodText) this.checking.showMistakes(null, warnings.trim());
       if (this.machine) this.machines.show(event.picture, this.machine);
     }
     this.timings.push({ phase: event.phase, took: event.took, since: event.since, render: statistics.seconds.render, seconds: statistics.seconds, times: event.picture.times });
     if (this.timings.length > 500) this.timings.shift();
+    return undefined;
+  }
+
+  /// Of the picture that is whole; of none as long as there is a newer one to come.
+  showTiming(text, title = 'How large the picture is, and how long its rays took') {
+    say('timing', text);
+    if (byId('timing').title !== title) byId('timing').title = title;
   }
 
   useMachine(model) {
@@ -299,6 +321,7 @@ class Studio {
 
   setFrame(frame) {
     this.frame = frame;
+    this.forgetWord();
     this.showFrame();
     this.place.note();
     return this.checking.check();
