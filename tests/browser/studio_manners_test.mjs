@@ -703,6 +703,30 @@ const tests = {
     await page.unroute('**/api/picture');
     return opened;
   },
+
+  async a_scene_is_unsaved_only_where_something_would_be_lost() {
+    const opened = await openPage(context, studio.address, '#scene=tetra.pxm&from=pxm&tab=text');
+    const { page } = opened;
+    await settled(page);
+    const marked = () => page.$$eval('#scene-name .dirty', all => all.length);
+    assert.equal(await marked(), 0, 'a scene of the gallery as it is');
+    const text = await textOf(page);
+    await page.fill('#text', `${text}# more\n`);
+    assert.equal(await marked(), 1);
+    assert.match(await page.title(), /^• /);
+    await page.fill('#text', text);
+    assert.equal(await marked(), 0, 'and as it is again');
+    await page.evaluate(() => studio.place.begin());
+    await page.waitForFunction(() => studio.name === 'mine.pxm' && studio.base);
+    assert.equal(await marked(), 0, 'nothing has been made yet');
+    await page.click('[data-key="add"]');
+    assert.equal(await marked(), 1);
+    await page.evaluate(() => studio.place.begin('brought.pxm', 'ifs a {\n    newmap scale: 0.5\n    newmap scale: 0.5 translate: 1,0,0\n}\n'));
+    await page.waitForFunction(() => studio.name === 'brought.pxm' && studio.base);
+    assert.equal(await marked(), 1, 'what was brought has no file');
+    await settled(page);
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

@@ -111,9 +111,9 @@ class Studio {
   }
 
   drawName() {
-    const dirty = this.text !== this.saved || this.shipped;
+    const dirty = this.text !== this.saved || (this.shipped && this.place.brought);  // what was brought from elsewhere has no file
     byId('scene-name').replaceChildren(this.name, dirty ? element('span', { class: 'dirty', title: 'Not saved' }, ' •') : '');
-    document.title = `${this.text !== this.saved ? '• ' : ''}${this.name} – pxm studio`;
+    document.title = `${dirty ? '• ' : ''}${this.name} – pxm studio`;
   }
 
   // --- picture --------------------------------------------------------------------------------
