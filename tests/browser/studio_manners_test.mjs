@@ -727,6 +727,29 @@ const tests = {
     await settled(page);
     return opened;
   },
+
+  async red_are_the_maps_of_a_system_that_does_not_contract() {
+    const opened = await openPage(context, studio.address, '#scene=sunflower_field.pxm&from=pxm');
+    const { page } = opened;
+    await page.waitForFunction(() => window.studio?.checked && !studio.checking.runs);
+    const badges = () => page.$$eval('.lip', all => all.map(e => ({ stretch: parseFloat(e.textContent.slice(1)), bad: e.classList.contains('bad'), near: e.classList.contains('near'), title: e.title })));
+    const grown = (await badges()).filter(b => b.stretch >= 1.01);
+    assert.ok(grown.length >= 2, 'soil and stalk');
+    for (const b of grown) assert.ok(!b.bad && b.near && b.title.includes('alone does not shrink'), JSON.stringify(b));
+    assert.ok((await badges()).every(b => !b.bad));
+    const system = scale => `ifs a {\n    newmap scale: ${scale} translate: 0,0.5,0\n    newmap scale: 0.5\n}\n`;
+    const write = async text => { await page.evaluate(t => studio.edit(t), text); await page.waitForFunction(() => !studio.checking.runs); };
+    await write(system(1.1));
+    assert.deepEqual((await badges()).map(b => b.bad), [true, false]);
+    assert.ok(await page.isVisible('#mistakes'));
+    // Another mistake does not make it well, nor does a good text leave it ill.
+    await write(`${system(1.1)}camera { eye: }\n`);
+    assert.deepEqual((await badges()).map(b => b.bad), [true, false]);
+    await write(system(0.9));
+    assert.deepEqual((await badges()).map(b => b.bad), [false, false]);
+    await settled(page);
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

@@ -7,6 +7,7 @@ import * as server from './server.js';
 
 const shown_mistakes = 6;
 const overtaken = 250;  // milliseconds that a check may take before a newer text is checked instead
+const refusal = /^ifs "([^"]*)".* could not be shown to contract/;  // of host/compile
 const quiet = 250;  // milliseconds without a change before the facts are asked for
 
 export class Checking {
@@ -14,6 +15,7 @@ export class Checking {
     this.studio = studio;
     this.runs = null;       // while the program is asked
     this.factsOld = true;
+    this.growing = [];      // names of systems that, as the program last said, do not contract
   }
 
   /// One check at a time; the newest text is the last one that is checked.
@@ -96,8 +98,13 @@ export class Checking {
     const place = byId('mistakes');
     const mistakes = error?.mistakes ?? [];
     const here = mistakes.filter(m => m.file === this.studio.name);
+    // A text with another mistake says nothing of that, nor does one that is still being read.
+    const growing = mistakes.map(m => refusal.exec(m.message)?.[1]).filter(name => name !== undefined);
+    if (growing.length > 0 || (!error && !this.halted)) this.growing = growing;
     this.studio.editor.mark(here);
     this.studio.maps.mark(here);
+    this.studio.maps.refresh();
+    this.studio.handles.draw();
     place.hidden = !error && !warnings;
     byId('nothing').hidden = !error || this.studio.goodText !== '';
     place.classList.toggle('warning', !error);

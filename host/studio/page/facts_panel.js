@@ -24,7 +24,7 @@ function systemOf(name, ifs) {
     element('p', { class: 'note' }, `${d.meaning.charAt(0).toUpperCase()}${d.meaning.slice(1)}.`),
     element('div', { class: 'scroll' }, element('table', {}, element('thead', {}, element('tr', {}, ...['map', 'kind', 'stretch', 'volume'].map(t => element('th', {}, t)))),
       element('tbody', {}, ...ifs.maps.slice(0, 100).map(m => element('tr', {}, element('td', {}, m.name), element('td', {}, m.kind),
-        element('td', { class: m.lipschitz >= 1 ? 'bad' : '' }, number(m.lipschitz)), element('td', {}, number(Math.abs(m.determinant)))))))));
+        element('td', m.lipschitz < 1 ? {} : contractivity < 1 ? { class: 'near', title: 'This map alone does not shrink, but one map after another does, as they may follow' } : { class: 'bad' }, number(m.lipschitz)), element('td', {}, number(Math.abs(m.determinant)))))))));
 }
 
 function bar(share, state) {

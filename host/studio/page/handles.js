@@ -26,7 +26,8 @@ function depthUnder([a, b, c], x, y) {
 }
 
 export class Handles {
-  /// `scene()` gives { text, block, map, lets, camera, reference, place } (`place`: the object's matrix),
+  /// `scene()` gives { text, block, map, lets, camera, reference, place, growing } (`place`: the object's
+  /// matrix, `growing`: whether the system does not contract),
   /// or null where there is nothing to shape.
   constructor(canvas, scene, over) {
     this.canvas = canvas;
@@ -95,7 +96,7 @@ export class Handles {
 
   drawMap(context, scene, index, role) {
     const corners = this.cornersIn(scene, index);
-    const grows = lipschitz(mapOf(scene.block.maps[index], scene.lets) ?? identity) >= 1;
+    const grows = scene.growing && lipschitz(mapOf(scene.block.maps[index], scene.lets) ?? identity) >= 1;
     if (corners) this.tetrahedron(context, corners.map(c => this.toScreen(scene.camera, c)), role, grows);
   }
 

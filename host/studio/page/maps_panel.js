@@ -19,7 +19,7 @@ const weightOf = map => map?.directives.find(d => d.word === 'weight')?.args[0]?
 const fromHex = text => [1, 3, 5].map(i => Number((parseInt(text.slice(i, i + 2), 16) / 255).toFixed(3)));
 
 export class MapsPanel {
-  /// `scene` gives { text, outline, lets, ifs, map }; `edit(text, kind)`, `select(ifs, map)`.
+  /// `scene` gives { text, outline, lets, ifs, map, checking }; `edit(text, kind)`, `select(ifs, map)`.
   constructor(place, scene, edit, select) {
     Object.assign(this, { place, scene, edit, select });
     this.shape = '';
@@ -98,7 +98,7 @@ export class MapsPanel {
       'data-once': '', onclick: () => this.select(this.scene().ifs, open ? -1 : index) },
       element('span', { class: 'swatch', 'data-swatch': index }),
       element('span', {}, map.name ? `${index + 1} ${map.name}` : `Map ${index + 1}`),
-      element('span', { class: 'lip', 'data-lip': index, title: 'How much it shrinks: its largest stretch' }));
+      element('span', { class: 'lip', 'data-lip': index }));
     if (!open) return element('article', { class: 'card' }, title);
     return element('article', { class: 'card open' }, title,
       element('ol', { class: 'steps' }, ...edits.stepsOf(map).map((step, s) => this.step(index, step, s))),
@@ -229,9 +229,12 @@ export class MapsPanel {
       const whole = edits.mapOf(one, lets);
       const stretch = whole ? lipschitz(whole) : NaN;
       const badge = this.place.querySelector(`[data-lip="${i}"]`);
+      const grows = stretch >= 1 && this.scene().checking.growing.includes(block.name);
       badge.textContent = Number.isFinite(stretch) ? `×${number(stretch, 3)}` : '';
-      badge.classList.toggle('bad', stretch >= 1);
-      badge.classList.toggle('near', stretch >= 0.95 && stretch < 1);
+      badge.title = grows ? 'It does not shrink, and so the maps do not lead to a picture' : stretch >= 1
+        ? 'Its largest stretch: this map alone does not shrink, but one map after another does, as they may follow' : 'How much it shrinks: its largest stretch';
+      badge.classList.toggle('bad', grows);
+      badge.classList.toggle('near', stretch >= 0.95 && !grows);
       this.place.querySelector(`[data-swatch="${i}"]`).style.background = hex(this.colorOf(one));
     });
     if (map >= 0 && block.maps[map]) this.refreshCard(block.maps[map], map);

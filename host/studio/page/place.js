@@ -71,6 +71,7 @@ export class Place {
     studio.flight.forget();
     studio.endDescent();
     studio.handles.chosen = '';
+    studio.checking.growing = [];
     studio.live.fit(studio.facts.limits);
     studio.textChanged();
     await studio.answered;

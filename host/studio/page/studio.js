@@ -271,7 +271,8 @@ class Studio {
     if (this.tab !== 'maps' || !block || !this.camera || !known?.radius || cameras.magnification(this.camera) > 1e5) return null;
     const object = this.checked.objects.find(o => o.ifs === block.name);
     if (!this.handles.drag) this.reference = referenceOf(known.center, known.radius);
-    return { text: this.text, block, map: this.map, lets: this.lets, camera: this.camera, reference: this.reference, place: object?.matrix ?? identity };
+    return { text: this.text, block, map: this.map, lets: this.lets, camera: this.camera, reference: this.reference, place: object?.matrix ?? identity,
+      growing: this.checking.growing.includes(block.name) };
   }
 
   select(ifs, map) {
