@@ -425,7 +425,13 @@ const tests = {
     await page.route('**/api/png', async route => { await held; await route.continue(); });
     download = page.waitForEvent('download');
     await page.click('#png');
-    await says('^tetra\\.png is saved as soon as the picture is there');
+    await says('^Rendering tetra\\.png …$');
+    // How far it is, as the program says.
+    let share = 0.42;
+    await page.route('**/api/progress', route => (route.request().postDataJSON().view.endsWith('-png') ? route.fulfill({ json: { share } }) : route.continue()));
+    await says('^Rendering tetra\\.png … 42 %$');
+    share = 0.87;
+    await says('^Rendering tetra\\.png … 87 %$');
     await page.waitForTimeout(3500);
     assert.ok(await page.isVisible('#toast.shown'), 'it says so as long as one waits');
     go();

@@ -4,7 +4,7 @@ import { byId, toast } from './elements.js';
 import { download, nameOf } from './rendering.js';
 import * as server from './server.js';
 
-const patience = 200;  // milliseconds before one is told to wait
+const patience = 200;  // milliseconds before one is told to wait, and between two looks at how far it is
 let pictures = 0;        // that were asked for as PNG
 
 async function saveAs(studio, name, seen) {
@@ -68,16 +68,24 @@ export async function savePng(studio) {
   if (studio.goodText === '') return toast('There is no picture yet: mend the scene first.', 'bad');
   const serial = ++pictures, name = nameOf(studio), asked = studio.finished();
   const old = studio.text === studio.goodText ? '' : ' It is the last one without mistakes.';
-  const late = setTimeout(() => toast(`${name} is saved as soon as the picture is there …`, 'wait'), patience);
+  let waiting = true;
+  // The program renders it once more: only so the file is that of `pxm render`, byte for byte.
+  const tell = share => toast(`Rendering ${name} …${share > 0 ? ` ${Math.floor(100 * share)} %` : ''}`, 'wait');
+  const watch = setInterval(async () => {
+    const progress = await server.progress('png').catch(() => null);
+    if (serial === pictures && waiting) tell(progress?.share ?? 0);
+  }, patience);
   try {
     const picture = await server.png(asked);
+    waiting = false;
     if (!picture && serial !== pictures) return undefined;  // it was asked for again
     if (picture) download(picture, name);
     toast(picture ? `${name} is among your downloads: ${asked.columns}×${asked.rows} pixels.${old}` : `${name} is not saved: it was given up.`, picture ? '' : 'bad');
   } catch (error) {
+    waiting = false;
     toast(error.message, 'bad');
   } finally {
-    clearTimeout(late);
+    clearInterval(watch);
   }
   return undefined;
 }
