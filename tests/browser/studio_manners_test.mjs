@@ -756,6 +756,47 @@ const tests = {
     await settled(page);
     return opened;
   },
+
+  async the_machine_says_what_it_is_and_keeps_no_ray_of_another_picture() {
+    const opened = await scene('tetra.pxm', 'machine');
+    const { page } = opened;
+    const panel = () => page.textContent('#panel-machine');
+    assert.match(await panel(), /this computer's own processors render the scene/i);
+    assert.match(await panel(), /Click a pixel of the picture/);
+    assert.doesNotMatch(await panel(), /rendered by a simulated/);
+    const follow = async () => {
+      await settled(page);
+      await page.focus('#handles');
+      await press(page, 'Enter');
+      await page.waitForSelector('#descent-tree:not([hidden]) .tree');
+      assert.ok(await page.evaluate(() => studio.volumes.cells.length > 0));
+    };
+    const gone = async why => {
+      await page.waitForSelector('#descent-tree', { state: 'hidden' });
+      assert.equal(await page.evaluate(() => studio.volumes.cells.length), 0, why);
+    };
+    await follow();
+    const said = await page.textContent('#descent-tree');
+    for (const word of ['met a cell if', 'missed it if not', 'was opened', 'The number is']) assert.ok(said.includes(word), word);
+    for (const title of await page.$$eval('.tree .cell', all => all.map(e => e.title))) assert.match(title, /\n[a-z ]+: [a-z]/);
+    await press(page, 'ArrowLeft');
+    assert.ok(await page.isVisible('#descent-tree'), 'one may turn it, and look at the volumes from beside');
+    await page.selectOption('#model', '916');
+    await gone('the model is another');
+    await page.waitForSelector('[aria-label="How pixels are shared out"] button');
+    assert.match(await panel(), /Click a pixel of the picture/);
+    await follow();
+    await page.click('[aria-label="How pixels are shared out"] button >> nth=1');
+    await gone('pixels are shared out in another way');
+    await follow();
+    await page.setViewportSize({ width: 1100, height: 760 });
+    await gone('the picture is of another size');
+    await follow();
+    await page.evaluate(() => studio.edit(studio.text.replace('0.5', '0.45')));
+    await gone('the text is another');
+    await settled(page);
+    return opened;
+  },
 };
 
 /// Visible texts whose contrast is below 4.5, and edges of fields that are below 3 (runs in the page).

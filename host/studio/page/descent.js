@@ -3,6 +3,11 @@
 import { byId, element } from './elements.js';
 
 const most_rows = 3000;
+const meanings = {
+  met: 'the ray meets the volume around this cell', missed: 'the ray goes past the volume around this cell, so that nothing in it is looked at',
+  opened: 'the ray meets the volume around this cell, and was tried on the cells in it', known: 'this cell was opened before, by other maps',
+  shown: 'this cell is what is seen', 'given up': 'the ray could not be followed any deeper here', dropped: 'there was no room for this cell', restarted: 'from here the ray began again',
+};
 const events = { meets: 'met', misses: 'missed', opens: 'opened', knows: 'known', shows: 'shown', 'gives up at': 'given up', drops: 'dropped', 'restarts after': 'restarted' };
 
 /// { head, end, cells: [{ what, object, word, key, exit, diameter }] } of the ray from the eye.
@@ -57,6 +62,7 @@ export class Descent {
         element('button', { class: 'small', onclick: () => { byId('descent').textContent = text; byId('descent-dialog').showModal(); } }, 'As text'),
         element('button', { class: 'small', onclick: () => this.close() }, 'Close')),
       element('p', { class: 'note' }, `${head.split(':')[0].replace('pixel', 'Pixel')}: ${opened} cells met, ${cells.length - opened} missed; ${end.split(';')[0]}. Point at a cell to see its volume.`),
+      element('p', { class: 'note' }, 'The ray met a cell if it runs through the volume around it, and missed it if not. A cell that it met was opened, nearest first: the cells in it, one map deeper, stand below it. The number is how far along the ray the volume begins.'),
       element('ul', { class: 'tree' }, ...treeOf(cells).map(node => this.row(node))));
     return cells;
   }
@@ -65,7 +71,7 @@ export class Descent {
     const label = cell.word.length > 0 ? cell.word.at(-1) : cell.object;
     const point = () => this.point(cell);
     const name = element('button', { class: `cell ${cell.what === 'missed' ? 'missed' : cell.what === 'shown' ? 'shown' : ''}`,
-      title: `${cell.object}: ${cell.word.join(' ')}\n${cell.what}${cell.key === '-' ? '' : `, from ${cell.key} to ${cell.exit} of the ray`}${cell.diameter === '-' ? '' : `, diameter ${cell.diameter}`}`,
+      title: `${cell.object}: ${cell.word.join(' ')}\n${cell.what}: ${meanings[cell.what]}${cell.key === '-' ? '' : `, from ${cell.key} to ${cell.exit} of the ray`}${cell.diameter === '-' ? '' : `, diameter ${cell.diameter}`}`,
       onclick: point, onfocus: point, onpointerenter: point },
     element('b', {}, label), ` ${cell.what}`, cell.key === '-' ? '' : element('span', { class: 'far' }, ` ${Number(cell.key).toPrecision(4)}`));
     if (children.length === 0) return element('li', {}, name);

@@ -31,9 +31,10 @@ const heat = share => {
 };
 
 export class MachinePanel {
-  /// `choose(model)`: '' is native. `more` are parts that stand below.
-  constructor(place, models, choose, more = []) {
-    Object.assign(this, { place, models, choose, partition: 'interleaved', quantity: 'cycles', picture: null, model: '', why: '' });
+  /// `choose(model)`: '' is native; `shared()` hears that pixels are shared out in another way. `more` are
+  /// parts that stand below.
+  constructor(place, models, { choose, shared }, more = []) {
+    Object.assign(this, { place, models, choose, shared, partition: 'interleaved', quantity: 'cycles', picture: null, model: '', why: '' });
     this.top = element('div');
     this.place.replaceChildren(this.top, ...more);
     this.draw();
@@ -55,21 +56,21 @@ export class MachinePanel {
   /// Everything under the choice of a model; what others have put there stays last.
   rest(...parts) {
     const focus = document.activeElement?.id;
-    this.top.replaceChildren(this.head(), ...parts);
+    this.top.replaceChildren(this.head(), element('p', { class: 'note' }, 'Click a pixel of the picture, and its ray\'s descent is shown below: the cells that it met, and those that it missed.'), ...parts);
     if (focus && this.top.querySelector(`#${focus}`)) byId(focus).focus();
   }
 
   head() {
     return element('div', { class: 'row' }, element('label', {}, 'render on ',
       element('select', { id: 'model', onchange: e => { this.model = e.target.value; this.choose(this.model); } },
-        element('option', { value: '', selected: this.model === '' }, 'the cores at hand'),
+        element('option', { value: '', selected: this.model === '' }, 'this computer'),
         ...this.models.map(m => element('option', { value: m.name, selected: m.name === this.model }, `${m.name}, ${m.columns} × ${m.rows} nodes`)))));
   }
 
   draw() {
     const picture = this.model ? this.picture : null;
     if (!picture?.cycles) {
-      const text = this.why ? this.why : this.model ? 'The machine is at work …' : 'Here the scene is rendered by a simulated Pixel Machine of 1987: an array of nodes, each a signal processor with 36 KB of fast memory. Choose a model, and see what every node has to do. Its pictures are smaller, as a node needs thousands of cycles a pixel.';
+      const text = this.why ? this.why : this.model ? 'The machine is at work …' : 'Now this computer\'s own processors render the scene. Choose a model, and a simulated Pixel Machine of 1987 renders it: an array of nodes, each a signal processor with 36 KB of fast memory. You see what every node has to do. Its pictures are smaller, as a node needs thousands of cycles a pixel.';
       this.rest(element('p', { class: this.why ? 'note refused' : 'note' }, text));
       return;
     }
@@ -82,7 +83,7 @@ export class MachinePanel {
   }
 
   choices(picture, size, model) {
-    const button = (group, key, label, title) => element('button', { class: 'small', 'aria-pressed': String(this[group] === key), title, onclick: () => { this[group] = key; this.draw(); } }, ...[label].flat());
+    const button = (group, key, label, title) => element('button', { class: 'small', 'aria-pressed': String(this[group] === key), title, onclick: () => { this[group] = key; this.draw(); if (group === 'partition') this.shared(); } }, ...[label].flat());
     return element('div', {},
       element('p', { class: 'note' }, 'Pixels shared out to the nodes so, and how efficient that is:'),
       element('div', { class: 'partitions', role: 'group', 'aria-label': 'How pixels are shared out' }, ...Object.keys(partitions).map(key =>

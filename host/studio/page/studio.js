@@ -46,7 +46,7 @@ class Studio {
     this.ifs = 0;
     this.map = -1;
     this.tab = 'maps';
-    this.wordsForgotten = 0;
+    this.wordsForgotten = this.descentsEnded = 0;
     this.timings = [];  // of the last pictures, milliseconds
     this.makeParts();
     this.connect();
@@ -63,7 +63,7 @@ class Studio {
     this.gestures = new Gestures(byId('handles'), this);
     this.maps = new MapsPanel(byId('panel-maps'), () => this, (text, kind) => this.edit(text, kind), (ifs, map) => this.select(ifs, map));
     this.studies = new StudyPanel(() => this.shown());
-    this.machines = new MachinePanel(byId('panel-machine'), this.facts.models, model => this.useMachine(model), [byId('descent-tree'), this.studies.place]);
+    this.machines = new MachinePanel(byId('panel-machine'), this.facts.models, { choose: model => this.useMachine(model), shared: () => this.endDescent() }, [byId('descent-tree'), this.studies.place]);
     this.descent = new Descent(byId('descent-tree'), cell => this.pointAt(cell), () => this.endDescent());
     this.working = new Working(this);
     this.rendering = new Rendering(this);
@@ -96,6 +96,7 @@ class Studio {
     this.outline = outlineOf(this.text);
     this.lets = letsOf(this.outline);
     this.forgetWord();
+    this.endDescent();
     this.ifs = Math.min(this.ifs, Math.max(0, this.outline.ifs.length - 1));
     const maps = this.outline.ifs[this.ifs]?.maps.length ?? 0;
     if (this.map >= maps) this.map = maps - 1;
@@ -190,8 +191,9 @@ class Studio {
       const nearest = this.tab === 'maps' ? this.handles.nearest(x, y) : -1;
       if (nearest >= 0 && nearest !== this.map) return this.select(this.ifs, nearest);
       if (this.tab === 'machine') {
+        const ended = this.descentsEnded;
         const answer = await server.pixel({ ...this.finished(), samples: 1 }, ...this.pixelAt(x, y));
-        if (!answer) return undefined;
+        if (!answer || ended !== this.descentsEnded) return undefined;
         return this.showDescent(answer.text);
       }
       await this.pickAt(x, y);
@@ -248,7 +250,10 @@ class Studio {
     this.handles.draw();
     byId('descent-tree').scrollIntoView({ block: 'nearest' });
   }
+  /// The tree and its volumes are of one pixel of one picture; turned, they can still be looked at.
   endDescent() {
+    ++this.descentsEnded;
+    if (byId('descent-tree').hidden) return;
     this.descent.clear();
     Object.assign(this.volumes, { cells: [], chosen: null });
     this.handles.draw();
@@ -315,6 +320,7 @@ class Studio {
   useMachine(model) {
     if (model === this.machine) return;
     this.machine = model;
+    this.endDescent();
     this.machines.show(null, model);
     this.live.change();
     this.place.note();
@@ -323,6 +329,7 @@ class Studio {
   setFrame(frame) {
     this.frame = frame;
     this.forgetWord();
+    this.endDescent();
     this.showFrame();
     this.place.note();
     return this.checking.check();
@@ -334,7 +341,10 @@ class Studio {
 
   resized() {
     if (byId('studio').hidden) return;
-    if (this.live.fit(this.facts.limits) && this.base) this.checking.check();  // the scene's own view is another
+    if (this.live.fit(this.facts.limits)) {
+      this.endDescent();  // that pixel is another
+      if (this.base) this.checking.check();  // and so is the scene's own view
+    }
     this.handles.draw();
   }
 
