@@ -487,7 +487,7 @@ const tests = {
     const opened = await scene('tetra.pxm');
     const { page } = opened;
     const toast = () => page.textContent('#toast');
-    await page.evaluate(() => { for (const text of ['ifs a {\n    newmap scale: 0.5\n}\n', 'ifs a {\n    newmap scale: 0.6\n}\n', 'ifs a {\n    newmap scale: 0.6\n    newmap scale: 0.4 translate: 0,1,0\n}\n']) studio.edit(text); });
+    await page.evaluate(() => { for (const text of ['ifs a {\n    newmap scale: 0.5\n}\n', 'ifs a {\n    newmap scale: 0.6\n}\n', 'ifs a {\n    newmap scale: 0.6\n    newmap scale: 0.4 translate: 0,1,0\n}\n']) { studio.edit(text, 'typed'); studio.editEnds(); } });
     await page.click('#undo');
     assert.equal(await toast(), 'Undone in line 3: newmap scale: 0.4 translate: 0,1,0 is gone.');
     await press(page, 'Control+z');
@@ -795,6 +795,62 @@ const tests = {
     await page.evaluate(() => studio.edit(studio.text.replace('0.5', '0.45')));
     await gone('the text is another');
     await settled(page);
+    return opened;
+  },
+
+  async undo_speaks_of_maps_where_they_were_shaped() {
+    const opened = await scene('fir.pxm');
+    const { page } = opened;
+    const begin = 'ifs a {\n    newmap scale: 0.5 translate: 0,0.4,0\n    newmap leaf scale: 0.4 rotate: z,30 translate: 0,1,0\n}\n';
+    await page.evaluate(text => { studio.edit(text); studio.select(0, 1); }, begin);
+    /// What undo says, and then redo.
+    const says = async (undone, redone) => {
+      await page.evaluate(() => studio.editEnds());
+      const after = await textOf(page);
+      assert.notEqual(after, begin);
+      await page.click('#undo');
+      assert.equal(await page.textContent('#toast'), `Undone. ${undone}`);
+      assert.equal(await textOf(page), begin);
+      await page.click('#redo');
+      assert.equal(await page.textContent('#toast'), `Redone. ${redone}`);
+      assert.equal(await textOf(page), after);
+      await page.evaluate(text => { studio.edit(text); studio.select(0, 1); }, begin);
+    };
+    await page.fill('[data-key="1.2.1"]', '0.7');
+    await says('Map 2 leaf: translate is 0, 1, 0 again.', 'Map 2 leaf: translate is 0, 0.7, 0 again.');
+    await page.click('.adder >> text=scale');
+    await says('Map 2 leaf: scale 0.5 is gone again.', 'Map 2 leaf: scale 0.5 is there again.');
+    await page.click('[aria-label="remove rotate"]');
+    await says('Map 2 leaf: rotate z, 30 is there again.', 'Map 2 leaf: rotate z, 30 is gone again.');
+    await page.click('[aria-label="rotate earlier"]');
+    await says('Map 2 leaf: its steps are scale, rotate, translate again.', 'Map 2 leaf: its steps are rotate, scale, translate again.');
+    await page.click('.card.open button:text-is("Copy")');
+    await says('Map 3 is gone again.', 'Map 3 is there again.');
+    await page.evaluate(() => studio.select(0, 0));
+    await page.click('.card.open button:text-is("Delete")');
+    await says('Map 1 is there again.', 'Map 1 is gone again.');
+    await page.evaluate(() => { studio.maps.graph.open = true; studio.maps.shape = ''; studio.maps.draw(); });
+    await page.click('[data-key="graph.0.1"]');
+    await says('What may stand in what is as it was.', 'What may stand in what is as it was.');
+    // What was typed in the text is told as the text has it.
+    await page.click('#tab-text');
+    await page.fill('#text', begin.replace('0.4,0', '0.3,0'));
+    await page.click('#undo');
+    assert.equal(await page.textContent('#toast'), 'Undone in line 2: translate: 0,0.4,0 instead of translate: 0,0.3,0.');
+    await settled(page);
+    return opened;
+  },
+
+  async dialogs_say_which_folder() {
+    const opened = await openPage(context, studio.address, '#scene=tetra.pxm&from=pxm');
+    const { page } = opened;
+    await settled(page);
+    await page.click('#save');
+    assert.ok((await page.textContent('#save-dialog label')).includes(studio.folder));
+    await page.click('#save-cancel');
+    await page.click('#export');
+    assert.ok((await page.textContent('#export-dialog')).includes(studio.folder));
+    await page.click('#export-cancel');
     return opened;
   },
 };

@@ -1,7 +1,7 @@
 // The page of pxm studio: one scene as text, as maps and as a picture, in step.
 import { takeDropped, bring } from './bringing.js';
 import * as cameras from './camera.js';
-import { told } from './changes.js';
+import { told, toldOfMaps } from './changes.js';
 import { Checking } from './checking.js';
 import { Descent } from './descent.js';
 import { Editor } from './editor.js';
@@ -11,7 +11,7 @@ import { Flight } from './flight.js';
 import { Gallery } from './gallery.js';
 import { Gestures } from './gestures.js';
 import { Handles, referenceOf } from './handles.js';
-import { dragged, History } from './history.js';
+import { dragged, History, typed } from './history.js';
 import { Live } from './live.js';
 import { MachinePanel } from './machine_panel.js';
 import { MapsPanel } from './maps_panel.js';
@@ -50,13 +50,14 @@ class Studio {
     this.timings = [];  // of the last pictures, milliseconds
     this.makeParts();
     this.connect();
+    for (const place of document.querySelectorAll('.in-folder')) place.textContent = facts.folder;
   }
 
   makeParts() {
     this.live = new Live(byId('picture'), () => this.shown(), event => this.pictured(event));
     this.place = new Place(this);
     this.checking = new Checking(this);
-    this.editor = new Editor(text => this.edit(text, 'typing'));
+    this.editor = new Editor(text => this.edit(text, typed));
     this.volumes = new Volumes(() => this.seen());
     this.handles = new Handles(byId('handles'), () => this.shaping(), this.volumes);
     this.flight = new Flight(this);
@@ -83,13 +84,16 @@ class Studio {
   }
   edited(text) { this.edit(text, dragged); }
   editEnds() { this.history.seal(); }
-  undo() { this.step('Undone', () => this.history.undo()); }
-  redo() { this.step('Redone', () => this.history.redo()); }
-  step(what, go) {
-    const before = this.text;
+  undo() { this.step('Undone', this.history.undone, () => this.history.undo()); }
+  redo() { this.step('Redone', this.history.redone, () => this.history.redo()); }
+  /// `kind`: of the change that is undone or redone. It is told in the words of where it was made.
+  step(what, kind, go) {
+    const before = this.text, outline = this.outline;
     go();
-    if (this.text !== before) this.textChanged();
-    toast(this.text === before ? `There is nothing to ${what === 'Undone' ? 'undo' : 'redo'}.` : told(what, before, this.text));
+    if (this.text === before) return toast(`There is nothing to ${what === 'Undone' ? 'undo' : 'redo'}.`);
+    this.textChanged();
+    const shaped = kind === typed ? null : toldOfMaps(what, { text: before, outline }, this);
+    return toast(shaped ?? told(what, before, this.text));
   }
 
   textChanged() {
