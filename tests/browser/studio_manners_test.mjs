@@ -595,22 +595,23 @@ const tests = {
   },
 
   async a_double_click_presses_nothing_that_came_under_the_pointer() {
-    const opened = await scene('menger.pxm');
+    const opened = await scene('tetra.pxm');
     const { page } = opened;
-    const before = await textOf(page);
+    const before = `ifs a {\n${['0,0.5,0', '0.5,0,0', '-0.5,0,0', '0,0,0.5'].map(x => `    newmap scale: 0.4 translate: ${x}\n`).join('')}}\n`;
+    await page.evaluate(text => { studio.edit(text); studio.select(0, 0); }, before);
     const count = () => page.$$eval('.card', all => all.length);
     const maps = await count();
-    await page.click('.map-title >> nth=0');
-    // The header of the second map, a line at a time down its height: something of the map that slides up
-    // is under the pointer each time.
+    const x = await page.evaluate(() => { const [copy, title] = ['.card.open button[aria-label="Copy this map"]', '.map-title'].map(s => document.querySelector(s).getBoundingClientRect()); return (copy.left + copy.right) / 2 - title.left; });
+    // The header of the second map, a line at a time down its height: its Copy is under the pointer once it
+    // has slid up.
     for (let y = 4; y < 34; y += 6) {
       await page.evaluate(() => studio.select(0, 0));
-      await page.dblclick('.map-title >> nth=1', { position: { x: 60, y } });
+      await page.dblclick('.map-title >> nth=1', { position: { x, y } });
       assert.equal(await textOf(page), before, `${y} pixels down the header`);
       assert.equal(await page.getAttribute('.map-title >> nth=1', 'aria-expanded'), 'true', 'it is open');
     }
     // One thing is done once: a double click deletes, and removes, one.
-    await page.click('.map-title >> nth=0');
+    await page.evaluate(() => studio.select(0, 0));
     await page.dblclick('.card.open button:text-is("Delete")');
     assert.equal(await count(), maps - 1);
     await page.click('#undo');
@@ -624,7 +625,6 @@ const tests = {
     assert.equal(await count(), maps + 2);
     await page.evaluate(() => { studio.undo(); studio.undo(); });
     assert.equal(await textOf(page), before);
-    await settled(page);
     return opened;
   },
 
@@ -634,8 +634,10 @@ const tests = {
     await page.waitForFunction(() => window.studio?.checked);
     const marks = () => page.evaluate(() => {
       studio.handles.draw();
-      const { width, height } = document.getElementById('handles');
-      return document.getElementById('handles').getContext('2d').getImageData(0, 0, width, height).data.reduce((n, v, i) => n + (i % 4 === 3 && v > 0 ? 1 : 0), 0);
+      const from = document.getElementById('handles');
+      const copy = new OffscreenCanvas(from.width, from.height).getContext('2d', { willReadFrequently: true });
+      copy.drawImage(from, 0, 0);
+      return copy.getImageData(0, 0, from.width, from.height).data.reduce((n, v, i) => n + (i % 4 === 3 && v > 0 ? 1 : 0), 0);
     });
     assert.equal(await page.inputValue('#wires'), 'open', 'of 41 maps not all are drawn');
     assert.equal(await marks(), 0, 'and none while none is open');
@@ -660,7 +662,6 @@ const tests = {
     await page.waitForFunction(() => studio.name === 'tetra.pxm' && studio.base);
     await page.click('#tab-maps');
     assert.equal(await page.inputValue('#wires'), 'all', 'of five maps all are drawn');
-    await settled(page);
     return opened;
   },
 
