@@ -726,6 +726,7 @@ const tests = {
     await page.evaluate(() => studio.place.begin());
     await page.waitForFunction(() => studio.name === 'mine.pxm' && studio.base);
     assert.equal(await marked(), 0, 'nothing has been made yet');
+    await page.click('#tab-maps');
     await page.click('[data-key="add"]');
     assert.equal(await marked(), 1);
     await page.evaluate(() => studio.place.begin('brought.pxm', 'ifs a {\n    newmap scale: 0.5\n    newmap scale: 0.5 translate: 1,0,0\n}\n'));
