@@ -62,7 +62,7 @@ export class Descent {
         element('button', { class: 'small', onclick: () => { byId('descent').textContent = text; byId('descent-dialog').showModal(); } }, 'As text'),
         element('button', { class: 'small', onclick: () => this.close() }, 'Close')),
       element('p', { class: 'note' }, `${head.split(':')[0].replace('pixel', 'Pixel')}: ${opened} cells met, ${cells.length - opened} missed; ${end.split(';')[0]}. Point at a cell to see its volume.`),
-      element('p', { class: 'note' }, 'The ray met a cell if it runs through the volume around it, and missed it if not. A cell that it met was opened, nearest first: the cells in it, one map deeper, stand below it. The number is how far along the ray the volume begins.'),
+      element('p', { class: 'note' }, 'The ray met a cell if it runs through the volume around it, and missed it if not. Of those that it met the nearest was opened first, until one was small enough to be shown; what is in an opened cell, one map deeper, stands below it. The number is how far along the ray the volume begins.'),
       element('ul', { class: 'tree' }, ...treeOf(cells).map(node => this.row(node))));
     return cells;
   }
