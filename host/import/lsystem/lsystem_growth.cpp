@@ -54,10 +54,11 @@ class GrowthSearch {
             if (levels_ > last_to_begin_a_period && !period_of_turns()) break;
         }
         if (!growth && !period_of_turns())
-            fail(
-                fmt::format("what comes after its symbols turns, or changes its step, "
-                            "differently at every level (tried periods up to {} levels)",
-                            longest_period));
+            fail(levels_ < longest_period
+                     ? "after a few levels its edges are no longer than what rounding makes of them"
+                     : fmt::format("what comes after its symbols turns, or changes its step, "
+                                   "differently at every level (tried periods up to {} levels)",
+                                   longest_period));
         if (!growth) growth = try_periods(settled);
         if (!growth)
             fail(turned_mirrored_ ? "its mirrored copies turn from level to level without an end"
@@ -110,7 +111,7 @@ class GrowthSearch {
     [[nodiscard]] bool grows_from_the_start(double factor) const {
         constexpr double too_small = 10;  // binary digits
         double most = sizes_.front();
-        for (std::size_t n = 0; n < first_looked_at; ++n)
+        for (std::size_t n = 0; n < std::min<std::size_t>(first_looked_at, sizes_.size()); ++n)
             most = std::max(most, sizes_[n] - static_cast<double>(n) * std::log2(factor));
         return sizes_.back() - levels_ * std::log2(factor) > most - too_small;
     }
@@ -138,14 +139,14 @@ class GrowthSearch {
         return std::isfinite(noise) && LongReal(noise) <= far_below * largest_displacement();
     }
 
-    /// Level `back` levels before the last.
+    /// Level `levels` levels before the last: no more than there were, nor than are kept.
     [[nodiscard]] const Level& back(int levels) const {
         return last_[last_.size() - 1 - static_cast<std::size_t>(levels)];
     }
 
     /// After so many levels turns and directions repeat.
     [[nodiscard]] std::optional<int> period_of_turns() const {
-        for (int period = 1; period <= longest_period; ++period) {
+        for (int period = 1; period <= std::min(longest_period, levels_); ++period) {
             const auto repeats = [&](std::size_t s) {
                 return !matters_[s] || same_turn(back(0).turn[s], back(period).turn[s]);
             };
@@ -158,7 +159,7 @@ class GrowthSearch {
 
     std::optional<LsystemGrowth> try_periods(double tolerance) {
         const int turns = period_of_turns().value_or(longest_period + 1);
-        for (int period = turns; period <= longest_period; period += turns) {
+        for (int period = turns; period <= std::min(longest_period, levels_); period += turns) {
             if (const auto growth = try_period(period, tolerance)) return growth;
         }
         return std::nullopt;
