@@ -171,8 +171,8 @@ const tests = {
     const before = await pixelsOf(page);
     await page.click('.map-title >> nth=0');
     await page.fill('[aria-label="scale x"]', '1.2');
-    assert.ok(await page.locator('[data-lip="0"].bad').isVisible());
     await page.waitForSelector('#mistakes:not([hidden])');
+    await page.waitForSelector('[data-lip="0"].bad');
     assert.equal(await pixelsOf(page), before);
     return opened;
   },
@@ -687,8 +687,10 @@ const tests = {
     let go;
     const held = new Promise(done => { go = done; });
     await page.route('**/api/pick', async route => { await held; await route.continue(); });
-    const answered = page.waitForResponse('**/api/pick');
-    await press(page, 'Enter', 'ArrowLeft');
+    const asked = page.waitForRequest('**/api/pick'), answered = page.waitForResponse('**/api/pick');
+    await press(page, 'Enter');
+    await asked;
+    await press(page, 'ArrowLeft');
     go();
     await answered;
     await settled(page);
