@@ -114,7 +114,7 @@ TEST(Bounds, ball_is_within_one_percent_of_the_smallest_around_enumerated_points
         Points points = enumerated(rifs, 2'000);
         std::mt19937_64 random(3);
         std::normal_distribution<double> normal;
-        for (int i = 0; i < 120; ++i) {
+        for (int i = 0; i < 60; ++i) {
             const glm::dvec3 u{normal(random), normal(random), normal(random)};
             points.push_back(beam_point(rifs, u, 60, 16));
         }
@@ -169,7 +169,7 @@ TEST(Bounds, the_box_of_grass_is_not_fooled_by_slow_contraction) {
 }
 
 TEST(Bounds, random_systems_lie_in_their_bounds) {
-    for (unsigned seed = 0; seed < 16; ++seed) {
+    for (unsigned seed = 0; seed < 8; ++seed) {
         const double largest = seed % 8 == 0 ? 0.95 : 0.7;
         const Rifs rifs = systems::random_system(seed, largest);
         const std::vector<Bounds> bounds = bound_of(rifs);
