@@ -54,8 +54,9 @@ class KnownCells {
         count_ = 0;
     }
     /// Whether a cell of that sketch was opened that is no larger and whose interval ended there or
-    /// later; if not, this one counts as opened. Sizes shrink from a cell to its children, so no
-    /// cell is known by one around it, nor do two wait for what each of them finds in the other.
+    /// later; if not, this one counts as opened. Cells that are alike have the same follow set, and
+    /// sizes shrink from one to another inside it (but where maps contract in the long run alone):
+    /// so no cell is known by one around it, nor do two wait for what each finds in the other.
     [[nodiscard]] bool contains(const CellSketch& sketch, double exit, double size) noexcept;
 
   private:
