@@ -5,12 +5,14 @@
 #include <boost/asio/write.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+
+#include "host/studio/web_socket.hpp"
 
 namespace pxm::host {
 
@@ -19,6 +21,7 @@ namespace {
 namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = boost::beast::http;
+namespace websocket = boost::beast::websocket;
 using asio::ip::tcp;
 
 std::string text_of(beast::string_view view) { return {view.data(), view.size()}; }
@@ -57,7 +60,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
         if (mark != std::string::npos) request_.query = target.substr(mark + 1);
         for (const auto& field : head)
             request_.fields.emplace_back(text_of(field.name_string()), text_of(field.value()));
-        keep_alive_ = head.keep_alive();
+        keep_alive_ = head.keep_alive() && !websocket::is_upgrade(head);
         if (auto refusal = house_.guests.refuse(request_)) {
             keep_alive_ = keep_alive_ && parser_->is_done();
             return write(std::move(*refusal));
@@ -69,86 +72,31 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
     void got_all(beast::error_code error) {
         if (error) return refuse_broken(error);
+        if (websocket::is_upgrade(parser_->get()))
+            return serve_web_socket(stream_.release_socket(), house_, std::move(request_),
+                                    parser_->release());
         request_.body = std::move(parser_->get().body());
         stream_.expires_never();
         asio::post(house_.workers, [self = shared_from_this()] {
-            Body body(*self);
+            WholeBody body;
             HttpAnswer answer = self->house_.guests.answer(self->request_, body);
-            asio::post(self->stream_.get_executor(),
-                       [self, begun = body.begun, answer = std::move(answer)]() mutable {
-                           if (begun) return self->add_piece({"", true});
-                           self->write(std::move(answer));
-                       });
+            if (body.begun) answer = std::move(body.answer);
+            asio::post(self->stream_.get_executor(), [self, answer = std::move(answer)]() mutable {
+                self->write(std::move(answer));
+            });
         });
     }
 
-    struct Piece {
-        std::string bytes;
-        bool is_last = false;
-    };
-
-    /// Hands pieces from the threads that make them to the one that writes. It lives in the worker,
-    /// which keeps the connection.
-    struct Body : public HttpBody {
-        explicit Body(Connection& c) : connection(c) {}
+    /// Pieces, put together.
+    struct WholeBody : public HttpBody {
         void begin(HttpAnswer head) override {
+            answer = std::move(head);
             begun = true;
-            asio::post(connection.stream_.get_executor(),
-                       [self = connection.shared_from_this(), head = std::move(head)]() mutable {
-                           self->begin_pieces(std::move(head));
-                       });
         }
-        void send(std::string bytes) override {
-            asio::post(connection.stream_.get_executor(),
-                       [self = connection.shared_from_this(), bytes = std::move(bytes)]() mutable {
-                           self->add_piece({std::move(bytes)});
-                       });
-        }
-        Connection& connection;
+        void send(std::string piece) override { answer.body += piece; }
+        HttpAnswer answer;
         bool begun = false;
     };
-
-    void begin_pieces(HttpAnswer head) {
-        pieces_.clear();
-        fill_response(std::move(head));
-        response_.chunked(true);
-        is_writing_ = true;
-        async_write_head([self = shared_from_this()](beast::error_code e, std::size_t) {
-            self->wrote_piece(e);
-        });
-    }
-
-    void add_piece(Piece piece) {
-        if (!stream_.socket().is_open()) return;
-        pieces_.push_back(std::move(piece));
-        if (!is_writing_) write_piece();
-    }
-
-    void write_piece() {
-        is_writing_ = true;
-        stream_.expires_after(house_.patience());
-        const Piece& piece = pieces_.front();
-        if (piece.is_last) {
-            asio::async_write(
-                stream_, http::make_chunk_last(),
-                [self = shared_from_this()](beast::error_code e, std::size_t) { self->wrote(e); });
-            return pieces_.clear();
-        }
-        asio::async_write(stream_, http::make_chunk(asio::buffer(piece.bytes)),
-                          [self = shared_from_this()](beast::error_code e, std::size_t) {
-                              if (!e) self->pieces_.pop_front();
-                              self->wrote_piece(e);
-                          });
-    }
-
-    void wrote_piece(beast::error_code error) {
-        is_writing_ = false;
-        if (error) {
-            pieces_.clear();
-            return hang_up();
-        }
-        if (!pieces_.empty()) write_piece();
-    }
 
     /// Says what is wrong where that can still be read, and hangs up.
     void refuse_broken(beast::error_code error) {
@@ -194,7 +142,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
     }
 
     void wrote(beast::error_code error) {
-        is_writing_ = false;
         serializer_.reset();
         if (error) return hang_up();
         if (held_) return wait_for_the_end();
@@ -242,8 +189,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
     HttpRequest request_;
     http::response<http::string_body> response_;
     std::optional<http::response_serializer<http::string_body>> serializer_;
-    std::deque<Piece> pieces_;  // that are to be written
-    bool is_writing_ = false;   // one of them, or the head before them
     std::shared_ptr<void> held_;
     std::array<char, 4096> rest_{};
     std::size_t drained_ = 0;

@@ -1,5 +1,5 @@
-// Requests over HTTP/1.1 from this computer alone. Its .cpp and http_connection alone know
-// Boost.Beast, whose headers cost more to compile than the rest of the room.
+// Requests over HTTP/1.1 from this computer alone. Its .cpp, http_connection and web_socket alone
+// know Boost.Beast, whose headers cost more to compile than the rest of the room.
 #pragma once
 
 #include <cstddef>

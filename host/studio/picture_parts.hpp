@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -16,10 +17,12 @@ namespace pxm::host {
 
 /// What is sent, numbers of two bytes but where it is said, lowest first:
 ///   columns, rows, 1 of a machine and 0 else, 0;
-///   of each block: left, top, columns, rows; the same of the rectangle in it that is not of one
-///   colour; that colour and then the rectangle's pixels: red, green, blue, 255; of a machine every
+///   of each block: left, top, columns, rows; the colour of most of it, and how many pixels are of
+///   another one, in four bytes each; of each row a bit a pixel, set for those, in words of four
+///   bytes, lowest bit first; the colours of those: red, green, blue, 255; of a machine every
 ///   pixel's cycles, in four bytes;
-///   twenty bytes of 0; what is known at the end, as JSON.
+///   a block of no pixels, with a number of bytes instead of theirs; so many of JSON, which is what
+///   is known at the end.
 class PictureParts : public PictureTaker {
   public:
     /// `send` is called by any thread, one at a time.
@@ -34,7 +37,7 @@ class PictureParts : public PictureTaker {
 
   private:
     using Clock = std::chrono::steady_clock;
-    void add(const std::string& bytes);
+    void add(std::span<const std::uint32_t> block);
 
     std::function<void(std::string)> send_;
     bool of_machine_;

@@ -699,17 +699,18 @@ const tests = {
     await click();
     // While the next scene is awaited, nothing stands there of this one.
     assert.match(await timing(), /^\d+×\d+, /);
-    let show;
-    const shown = new Promise(done => { show = done; });
-    await page.route('**/api/picture', async route => { await shown; await route.continue(); });
-    await page.evaluate(() => { location.hash = 'scene=fir.pxm'; });
+    await page.evaluate(() => {
+      const { send } = WebSocket.prototype;
+      const shown = new Promise(done => { window.show = done; });
+      WebSocket.prototype.send = function (text) { shown.then(() => send.call(this, text)); };
+      location.hash = 'scene=fir.pxm';
+    });
     await page.waitForFunction(() => studio.name === 'fir.pxm' && studio.base);
     assert.equal(await word(), '');
-    assert.equal(await timing(), 'rendering …');
-    show();
+    await page.waitForFunction(() => document.getElementById('timing').textContent === 'rendering …');
+    await page.evaluate(() => window.show());
     await settled(page);
     assert.match(await timing(), /^\d+×\d+, /);
-    await page.unroute('**/api/picture');
     return opened;
   },
 

@@ -579,29 +579,46 @@ async function lawsOfModules() {
   law('maps are found', outline.ifs[0].maps.length === 2 && outline.ifs[0].maps[0].name === 'b');
   law('an edit changes its place', edits.setArgument(text, outline.ifs[0].maps[0].directives[1], 0, '0.25') === text.replace('1/2', '0.25'));
   const { PictureParts } = await import('/picture_parts.js');
+  // 70 columns and 3 rows in two blocks, of rows without, with few and with nothing but other colours.
   const said = new TextEncoder().encode('{"engine":"native"}'), red = 0xff0000ff, blue = 0xffff0000;
+  const columns = 70, rows = 3, pixels = Array.from({ length: columns * rows }, (_, i) => (i < columns ? red : i >= 2 * columns ? blue + i : i % 7 < 2 ? blue : red));
+  const shorts = (...numbers) => [...new Uint8Array(Uint16Array.from(numbers).buffer)], words = numbers => [...new Uint8Array(Uint32Array.from(numbers).buffer)];
+  const blockOf = (left, width, ground, machine) => {
+    const bits = [], others = [], cycles = [];
+    for (let row = 0; row < rows; ++row) {
+      for (let x = 0; x < width; ++x) {
+        const at = row * columns + left + x;
+        if (x % 32 === 0) bits.push(0);
+        cycles.push(at);
+        if (pixels[at] === ground) continue;
+        bits[bits.length - 1] += 2 ** (x % 32);
+        others.push(pixels[at]);
+      }
+    }
+    return [...shorts(left, 0, width, rows), ...words([ground, others.length, ...bits, ...others, ...(machine ? cycles : [])])];
+  };
   for (const machine of [0, 1]) {
-    // 5 columns and 2 rows: a block that is red but for one pixel, and one that is blue.
-    const shorts = (...numbers) => [...new Uint8Array(Uint16Array.from(numbers).buffer)], words = (...numbers) => [...new Uint8Array(Uint32Array.from(numbers).buffer)];
-    const bytes = [...shorts(5, 2, machine, 0),
-      ...shorts(0, 0, 3, 2, 1, 1, 1, 1), ...words(red, blue), ...(machine ? words(1, 2, 3, 4, 5, 6) : []),
-      ...shorts(3, 0, 2, 2, 3, 0, 0, 0), ...words(blue), ...(machine ? words(7, 8, 9, 10) : []), ...new Array(20).fill(0), ...said];
+    const bytes = [...shorts(columns, rows, machine, 0), ...blockOf(64, 6, blue, machine), ...blockOf(0, 64, red, machine), ...words([0, 0, 0, said.length]), ...said];
     for (const length of [1, 2, 3, 5, 7, 16, 1000]) {
-      const parts = new PictureParts(new ImageData(new Uint8ClampedArray(40).fill(7), 5, 2));
-      for (let at = 0; at < bytes.length; at += length) parts.add(Uint8Array.from(bytes.slice(at, at + length)));
-      law(`a picture that comes by ${length} bytes`, [...new Uint32Array(parts.pixels.data.buffer)].join() === [red, red, red, blue, blue, red, blue, red, blue, blue].join() &&
-        (machine ? [...parts.cycles].join() === '1,2,3,7,8,4,5,6,9,10' : parts.cycles === null) && parts.last().engine === 'native' && parts.fresh.length === 2);
+      const parts = new PictureParts(new ImageData(new Uint8ClampedArray(4 * columns * rows).fill(7), columns, rows));
+      let complete = 0;
+      for (let at = 0; at < bytes.length; at += length) {
+        parts.add(Uint8Array.from(bytes.slice(at, at + length)));
+        complete += parts.complete ? 1 : 0;
+      }
+      law(`a picture that comes by ${length} bytes`, [...new Uint32Array(parts.pixels.data.buffer)].join() === pixels.join() && complete === 1 &&
+        (machine ? [...parts.cycles].every((n, i) => n === i) : parts.cycles === null) && parts.last().engine === 'native' && parts.fresh.length === 2);
     }
   }
   const graph = await import('/graph_edits.js');
   const rules = 'ifs a {\n    newmap one scale: 0.5\n    newmap scale: 0.4   # two\n    newmap scale: 0.3\n    follow: one -> 2, 3\n    follow: 2 -> one  # only\n    follow: 3 -> 3\n    start: one, 3\n}\n';
-  const blockOf = t => tokens.outlineOf(t).ifs[0];
-  const table = t => graph.graphOf(blockOf(t), t).allowed.map(row => row.map(Number).join('')).join(' ');
+  const rulesOf = t => tokens.outlineOf(t).ifs[0];
+  const table = t => graph.graphOf(rulesOf(t), t).allowed.map(row => row.map(Number).join('')).join(' ');
   law('rules are read', table(rules) === '011 100 001');
-  law('numbers go along when a map goes', graph.withoutMap(rules, blockOf(rules), 1) ===
+  law('numbers go along when a map goes', graph.withoutMap(rules, rulesOf(rules), 1) ===
     'ifs a {\n    newmap one scale: 0.5\n    newmap scale: 0.3\n    follow: one -> 2\n    follow: 2 -> 2\n    start: one, 2\n}\n');
-  const copied = edits.copyMap(rules, blockOf(rules), blockOf(rules).maps[2]);
-  const ruled = graph.withRulesOfCopy(copied, blockOf(copied), 2);
+  const copied = edits.copyMap(rules, rulesOf(rules), rulesOf(rules).maps[2]);
+  const ruled = graph.withRulesOfCopy(copied, rulesOf(copied), 2);
   law('a copy stands where its model does', table(ruled) === '0111 1000 0011 0011' && ruled.includes('start: one, 3, 4\n    follow: 4 -> 3, 4\n}'));
   return problems;
 }

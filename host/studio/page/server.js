@@ -1,5 +1,6 @@
 // What the page asks of the program. Every question has a number: of those of one kind the newest
 // counts, and an older one is answered with null.
+import { Line } from './line.js';
 import { PictureParts } from './picture_parts.js';
 
 /// Something that the program says is wrong; `mistakes` have their lines.
@@ -42,6 +43,7 @@ function judged(answer) {
 export const stops = [];
 export const lastStop = () => stops.at(-1) ?? null;
 
+const textOf = bytes => new TextDecoder().decode(bytes);
 const numbered = (kind, question) => ({ ...question, view: `${page}-${kind}`, serial: ++serial });
 
 export const start = () => ask('/api/start');
@@ -61,20 +63,21 @@ export const progress = kind => ask('/api/progress', { view: `${page}-${kind}` }
 export const stop = kind => ask('/api/leave', { view: `${page}-${kind}` });
 export const stopAll = () => ask('/api/leave', { view: page });
 
+const pictures = new Line('/api/picture', gone);
+
 /// { head, pixels: ImageData, cycles: of the machine, Uint32Array, times }. `partly(parts)` hears
 /// whenever a piece of it has come. `spare` is the pixels of a picture that nobody needs any more.
 export async function picture(question, kind = 'picture', partly = () => {}, spare = null) {
-  const times = { asked: performance.now() };
-  const response = await ask('/api/picture', numbered(kind, question));
-  if (!response) return null;
-  times.begun = performance.now();
-  const parts = new PictureParts(spare), reader = response.body.getReader();
-  for (let piece; !(piece = await reader.read().catch(() => { throw gone(); })).done;) {
-    parts.add(piece.value);
+  const times = { asked: performance.now() }, parts = new PictureParts(spare);
+  const end = await pictures.ask(JSON.stringify(numbered(kind, question)), piece => {
+    times.begun ??= performance.now();
+    parts.add(piece);
     partly(parts);
-  }
+    return parts.complete;
+  });
   times.ended = performance.now();
-  const head = judged(parts.last());
+  if (end && end.status !== 200) throw new Refusal({ kind: 'refused', message: textOf(end.bytes).trim(), mistakes: [] });
+  const head = judged(end ? JSON.parse(textOf(end.bytes)) : parts.last());
   return head && { head, pixels: parts.pixels, cycles: parts.cycles, times };
 }
 

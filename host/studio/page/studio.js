@@ -28,6 +28,7 @@ import { Working } from './working.js';
 
 const tabs = ['maps', 'text', 'facts', 'machine'];
 const word_title = 'The maps that lead to the cell that was clicked, outermost first';
+const at_once = 60;       // milliseconds that a picture takes of which nothing is said before it is there
 const trail_pause = 700;  // milliseconds between moves that are steps of the way back
 
 class Studio {
@@ -293,7 +294,8 @@ class Studio {
   }
 
   pictured(event) {
-    if (event.kind === 'changed') return this.showTiming(this.goodText === '' ? '–' : 'rendering …');
+    if (event.kind === 'changed') return this.awaitPicture();
+    if (event.kind !== 'picture' || event.phase !== 'coarse') this.awaiting = clearTimeout(this.awaiting);
     byId('busy').hidden = event.kind !== 'picture' || event.phase !== 'coarse';
     if (event.kind === 'halted' || event.kind === 'refused') this.showTiming('–');
     if (event.kind === 'refused') {
@@ -313,6 +315,12 @@ class Studio {
     this.timings.push({ phase: event.phase, took: event.took, since: event.since, render: statistics.seconds.render, seconds: statistics.seconds, times: event.picture.times });
     if (this.timings.length > 500) this.timings.shift();
     return undefined;
+  }
+
+  /// Says that there is a newer one to come, unless it is there at once: words are a frame of the whole
+  /// page, for which the browser takes processors from those who render.
+  awaitPicture() {
+    this.awaiting ??= setTimeout(() => this.showTiming(this.goodText === '' ? '–' : 'rendering …'), at_once);
   }
 
   /// Of the picture that is whole; of none as long as there is a newer one to come.

@@ -44,24 +44,27 @@ ReadPicture read_parts(const std::string& bytes) {
     if (of_machine) picture.cycles.resize(picture.rgba.size());
     std::size_t at = 8;
     for (; number_at(bytes, at + 4, 2) > 0; ++picture.blocks) {
-        std::size_t of[8];
-        for (std::size_t i = 0; i < 8; ++i) of[i] = number_at(bytes, at + 2 * i, 2);
-        const std::string color = bytes.substr(at + 16, 4);
-        at += 20;
-        for (std::size_t y = of[1]; y < of[1] + of[3]; ++y) {
-            for (std::size_t x = of[0]; x < of[0] + of[2]; ++x) {
-                const bool uneven =
-                    x >= of[4] && x < of[4] + of[6] && y >= of[5] && y < of[5] + of[7];
-                const std::size_t inside = (y - of[5]) * of[6] + x - of[4];
-                picture.rgba.at(y * width + x) += uneven ? bytes.substr(at + 4 * inside, 4) : color;
+        std::size_t of[4];
+        for (std::size_t i = 0; i < 4; ++i) of[i] = number_at(bytes, at + 2 * i, 2);
+        const std::string color = bytes.substr(at + 8, 4);
+        const std::size_t others = number_at(bytes, at + 12, 4);
+        std::size_t row_bits = at + 16, other = row_bits + of[3] * ((of[2] + 31) / 32) * 4;
+        at = other + 4 * others;
+        for (std::size_t y = 0; y < of[3]; ++y, row_bits += (of[2] + 31) / 32 * 4) {
+            for (std::size_t x = 0; x < of[2]; ++x) {
+                const bool is_other = number_at(bytes, row_bits + x / 8, 1) >> x % 8 & 1U;
+                picture.rgba.at((of[1] + y) * width + of[0] + x) +=
+                    is_other ? bytes.substr(other, 4) : color;
+                other += is_other ? 4 : 0;
             }
         }
-        at += 4 * of[6] * of[7];
+        EXPECT_EQ(other, at);
         for (std::size_t y = of[1]; of_machine && y < of[1] + of[3]; ++y)
             for (std::size_t x = of[0]; x < of[0] + of[2]; ++x, at += 4)
                 picture.cycles.at(y * width + x) = number_at(bytes, at, 4);
     }
-    picture.json = bytes.substr(at + 20);
+    picture.json = bytes.substr(at + 16);
+    EXPECT_EQ(number_at(bytes, at + 12, 4), picture.json.size());
     return picture;
 }
 
