@@ -56,8 +56,8 @@ const Rule library_rules[] = {
     {R"(#include\s*<boost/multiprecision/)",
      "host/(math/precise\\.cpp|import/lsystem/long_number\\.hpp)", "Boost.Multiprecision"},
     {R"(#include\s*<(flint/|arb|antic/))", "host/fractal/exact/.*", "FLINT"},
-    {R"(#include\s*<boost/(asio|beast)/)", "host/studio/http_(server\\.cpp|connection\\..pp)",
-     "Boost.Beast"},
+    {R"(#include\s*<boost/(asio|beast)/)",
+     "host/studio/(http_(server\\.cpp|connection\\..pp)|web_socket\\..pp)", "Boost.Beast"},
     {R"(#include\s*<pybind11/)", "python/module/.*", "pybind11"},
 };
 

@@ -28,8 +28,8 @@ struct HttpAnswer {
     std::shared_ptr<void> held = {};
 };
 
-/// An answer that is made in pieces. On a WebSocket each is sent at once, as the answer to a request
-/// they are put together. For the thread that answers, and for those that it works with.
+/// An answer that is made in pieces. On a WebSocket each is sent at once, as the answer to a
+/// request they are put together. For the thread that answers, and for those that it works with.
 class HttpBody {
   public:
     virtual ~HttpBody() = default;
