@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include "host/wide/search/grid_entry.inl"
 #include "host/wide/search/grid_walk.inl"
 #include "host/wide/search/homothety_entry.inl"
 #include "host/wide/search/homothety_levels.inl"
@@ -39,7 +40,9 @@ inline void visit_box(const WideScene& scene, SearchWorkspace& work, const Homot
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
     rows_of(object, work.packet, cell, box.rows, box.base);
     const EntryBelow start(scene, index, cell, box.base, 1);
-    const std::uint64_t met = meet_entry_cell(work, box, rays);
+    std::uint64_t met = meet_entry_cell(work, box, rays);
+    if (object.common_grid >= 0) met = GridVisit(scene, work, start).visit(met);
+    if (met == 0) return;
     fill_first(start, work.opened[0]);
     const auto diameter = static_cast<float>(cell.diameter);
     const auto follow = [&](RayBelow& below) HWY_ATTR {
