@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
 
@@ -19,34 +20,32 @@ namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// An entry cell of an object with a common grid.
+/// An entry cell of an object with a common grid. No ray of the packet is parallel to a face.
 class GridVisit {
   public:
-    GridVisit(const WideScene& scene, SearchWorkspace& work, const EntryBelow& start)
+    /// `box` is the cell as the packet sees it.
+    GridVisit(const WideScene& scene, SearchWorkspace& work, const EntryBelow& start,
+              const SharedCell& box)
         : scene_(scene),
           work_(work),
           start_(start),
-          grid_(scene.common_grids[static_cast<std::size_t>(start.object.common_grid)]) {}
+          grid_(scene.common_grids[static_cast<std::size_t>(start.object.common_grid)]) {
+        for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = static_cast<float>(box.rows[i]);
+    }
 
-    /// Follows those of the rays that have `met` the cell which are parallel to none of its faces;
-    /// returns the others.
-    std::uint64_t visit(std::uint64_t met) {
-        take_rays(met);
-        const std::uint64_t followed = met & ~parallel_;
-        for (std::uint64_t rest = followed; rest != 0; rest &= rest - 1) {
-            ++work_.found[static_cast<std::size_t>(std::countr_zero(rest))].tested;
+    /// Follows those of the rays that meet the cell; `touching` as in PacketPace.
+    void visit(std::uint64_t rays, float touching) {
+        const auto lanes = static_cast<int>(hn::Lanes(d));
+        const std::uint64_t all = ~std::uint64_t{0} >> (packet_rays - lanes);
+        for (int i = 0; i < packet_rays; i += lanes) {
+            if ((rays >> i & all) != 0) take_lanes(rays >> i & all, i, touching);
         }
-        for (std::uint64_t rest = terminal_; rest != 0; rest &= rest - 1) {
-            const int i = std::countr_zero(rest);
-            work_.found[static_cast<std::size_t>(i)].below_count = 0;
-            note(i, work_.start.key[i]);
-        }
+        if (rays_.count == 0) return;
         const GridEntry entry{grid_, grid_.number_of(start_.cell.set),
                               static_cast<float>(start_.cell.constant),
                               start_.object.levels - start_.cell.level, start_.least};
         constexpr int few_slices = 3;
         const bool few = *std::ranges::max_element(grid_.slices) <= few_slices;
-        const auto lanes = static_cast<int>(hn::Lanes(d));
         for (int first = 0; first < rays_.count; first += lanes) {
             if (few) {
                 follow<few_slices>(entry, first);
@@ -54,13 +53,22 @@ class GridVisit {
                 follow<ChildGrid::most_slices>(entry, first);
             }
         }
-        return parallel_;
     }
 
   private:
     static constexpr hn::CappedTag<float, GridRays::most_lanes> d{};
     static constexpr hn::RebindToSigned<hn::CappedTag<float, GridRays::most_lanes>> di{};
     using V = hn::VFromD<decltype(d)>;
+
+    /// Lanes of rays in the entry cell, as GridRays has them, and where they leave it.
+    struct InCell {
+        V center[3], pace[3];
+        V key, exit;
+    };
+    /// Lanes of what is computed of the rays in double.
+    struct InDouble {
+        V start, best, pixel_base, pixel_growth;
+    };
 
     /// What is computed of the rays in double, in several registers, as floats in one.
     template <class F>
@@ -73,80 +81,103 @@ class GridVisit {
         }
         return hn::LoadU(d, floats);
     }
-    /// As BoxRay::know_faces().
-    HWY_INLINE static auto is_parallel(const V* pace) {
-        const V x = hn::Abs(pace[0]), y = hn::Abs(pace[1]), z = hn::Abs(pace[2]);
-        const V passing = hn::Min(hn::Min(x, y), z);
-        const V slowest = hn::Mul(passing, hn::Set(d, static_cast<float>(1 / slowest_share)));
-        return hn::Lt(slowest, max3(x, y, z));
-    }
-    /// Puts the rays that go on close together.
-    void take_rays(std::uint64_t met) {
-        const auto lanes = static_cast<int>(hn::Lanes(d));
-        const std::uint64_t all = ~std::uint64_t{0} >> (packet_rays - lanes);
-        for (int i = 0; i < packet_rays; i += lanes) {
-            if ((met >> i & all) != 0) take_lanes(met, i);
-        }
-    }
-    HWY_INLINE void take_lanes(std::uint64_t met, int i) {
+    /// As ray_below() and follow_rays() have it.
+    [[nodiscard]] HWY_INLINE InDouble in_double_from(int i) const {
         const RayPacket& packet = work_.packet;
         const auto promoted = [&](auto dd, const float* from) HWY_ATTR {
             return hn::PromoteTo(dd, hn::LoadU(hn::Rebind<float, decltype(dd)>(), from));
         };
-        const V best = in_double([&](auto dd, int j) HWY_ATTR {
+        InDouble result;
+        result.best = in_double([&](auto dd, int j) HWY_ATTR {
             return hn::Sub(hn::LoadU(dd, work_.best.data() + i + j), hn::Set(dd, start_.base));
         });
-        const V key = hn::LoadU(d, work_.start.key + i);
-        const std::uint64_t near = lane_bits(d, hn::Lt(key, best)) << i & met;
-        if (near == 0) return;
-        const V start = in_double([&](auto dd, int j) HWY_ATTR {
+        result.start = in_double([&](auto dd, int j) HWY_ATTR {
             return hn::Sub(promoted(dd, packet.start + i + j), hn::Set(dd, start_.base));
         });
-        const V pixel_base = in_double([&](auto dd, int j) HWY_ATTR {
+        result.pixel_base = in_double([&](auto dd, int j) HWY_ATTR {
             const auto pixel1 = promoted(dd, packet.pixel1 + i + j);
             const auto pixel0 = hn::Add(promoted(dd, packet.pixel0 + i + j),
                                         hn::Mul(pixel1, hn::Set(dd, start_.base)));
             return hn::Mul(hn::Set(dd, scene_.detail), pixel0);
         });
-        const V pixel_growth = in_double([&](auto dd, int j) HWY_ATTR {
+        result.pixel_growth = in_double([&](auto dd, int j) HWY_ATTR {
             return hn::Mul(hn::Set(dd, scene_.detail), promoted(dd, packet.pixel1 + i + j));
         });
-        V center[3], pace[3];
-        for (int k = 0; k < 3; ++k) {
-            const V s = hn::LoadU(d, work_.start.direction[k] + i);
+        return result;
+    }
+    /// As meet_entry_cell() has it.
+    [[nodiscard]] HWY_INLINE InCell in_cell(int i) const {
+        const RayPacket& packet = work_.packet;
+        const V base = hn::Set(d, static_cast<float>(start_.base));
+        const V u1 = hn::LoadU(d, packet.u1 + i), v1 = hn::LoadU(d, packet.v1 + i);
+        const V u = hn::Add(hn::LoadU(d, packet.u0 + i), hn::Mul(u1, base));
+        const V v = hn::Add(hn::LoadU(d, packet.v0 + i), hn::Mul(v1, base));
+        InCell rays;
+        rays.key = hn::Sub(hn::LoadU(d, packet.start + i), base);
+        rays.exit = hn::Set(d, std::numeric_limits<float>::infinity());
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto row = [&](std::size_t r) HWY_ATTR { return hn::Set(d, rows_[3 * r + k]); };
+            const V origin = hn::Add(hn::Add(row(3), hn::Mul(u, row(0))), hn::Mul(v, row(1)));
+            const V speed = hn::Add(hn::Add(row(2), hn::Mul(u1, row(0))), hn::Mul(v1, row(1)));
             const V still = hn::Set(d, 1e-30F);
-            pace[k] = hn::Div(hn::Set(d, 1.0F), hn::IfThenElse(hn::Eq(s, hn::Zero(d)), still, s));
-            center[k] = hn::Mul(hn::Neg(hn::LoadU(d, work_.start.origin[k] + i)), pace[k]);
+            const V pace =
+                hn::Div(hn::Set(d, 1.0F), hn::IfThenElse(hn::Eq(speed, hn::Zero(d)), still, speed));
+            const V center = hn::Neg(hn::Mul(origin, pace));
+            rays.key = hn::Max(rays.key, hn::Sub(center, hn::Abs(pace)));
+            rays.exit = hn::Min(rays.exit, hn::Add(center, hn::Abs(pace)));
+            rays.center[k] = center;
+            rays.pace[k] = pace;
         }
-        const V p =
-            hn::Max(hn::Add(pixel_base, hn::Mul(pixel_growth, key)), hn::Set(d, start_.least));
-        const float diameter = start_.last ? -std::numeric_limits<float>::infinity()
-                                           : static_cast<float>(start_.cell.diameter);
-        const std::uint64_t terminal = lane_bits(d, hn::Le(hn::Set(d, diameter), p)) << i & near;
-        const std::uint64_t parallel = lane_bits(d, is_parallel(pace)) << i & near & ~terminal;
-        terminal_ |= terminal;
-        parallel_ |= parallel;
-        const std::uint64_t go = near & ~terminal & ~parallel;
-        if (go == 0) return;
-        const std::uint64_t bits = go >> i;
-        const auto mask = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
+        return rays;
+    }
+    /// Puts those of the rays close together that go on, of `wanted` from lane i on.
+    HWY_INLINE void take_lanes(std::uint64_t wanted, int i, float touching) {
+        const InDouble rays = in_double_from(i);
+        const InCell at = in_cell(i);
+        // That the cell is entered before it is left follows, as the key is no less than where.
+        const std::uint64_t met =
+            lane_bits(d, hn::Le(at.key, hn::Add(at.exit, hn::Set(d, touching)))) & wanted;
+        for (std::uint64_t rest = met; rest != 0; rest &= rest - 1) {
+            ++work_.found[static_cast<std::size_t>(i + std::countr_zero(rest))].tested;
+        }
+        const std::uint64_t near = lane_bits(d, hn::Lt(at.key, rays.best)) & met;
+        if (near == 0) return;
+        const std::uint64_t terminal = lane_bits(d, is_terminal(rays, at.key)) & near;
+        if (terminal != 0) note_terminal(terminal, i, at.key);
+        const std::uint64_t go = near & ~terminal;
+        const auto mask = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&go));
         const auto put = [&](V v, float* to)
                              HWY_ATTR { hn::StoreU(hn::Compress(v, mask), d, to + rays_.count); };
         for (int k = 0; k < 3; ++k) {
-            put(center[k], rays_.center[k]);
-            put(pace[k], rays_.pace[k]);
+            put(at.center[k], rays_.center[k]);
+            put(at.pace[k], rays_.pace[k]);
         }
-        put(key, rays_.key);
-        put(start, rays_.start);
-        put(best, rays_.best);
-        put(pixel_base, rays_.pixel_base);
-        put(pixel_growth, rays_.pixel_growth);
-        for (std::uint64_t rest = go & all_lanes(i); rest != 0; rest &= rest - 1) {
-            rays_.ray[rays_.count++] = std::countr_zero(rest);
-        }
+        put(at.key, rays_.key);
+        put(rays.start, rays_.start);
+        put(rays.best, rays_.best);
+        put(rays.pixel_base, rays_.pixel_base);
+        put(rays.pixel_growth, rays_.pixel_growth);
+        hn::StoreU(hn::Compress(hn::Iota(di, i), hn::RebindMask(di, mask)), di,
+                   rays_.ray + rays_.count);
+        rays_.count += std::popcount(go);
     }
-    [[nodiscard]] static std::uint64_t all_lanes(int i) {
-        return ~std::uint64_t{0} >> (packet_rays - static_cast<int>(hn::Lanes(d))) << i;
+    /// Whether the entry cell itself is.
+    [[nodiscard]] HWY_INLINE auto is_terminal(const InDouble& rays, V key) const
+        -> hn::Mask<hn::CappedTag<float, GridRays::most_lanes>> {
+        const V p = hn::Max(hn::Add(rays.pixel_base, hn::Mul(rays.pixel_growth, key)),
+                            hn::Set(d, start_.least));
+        const float diameter = start_.last ? -std::numeric_limits<float>::infinity()
+                                           : static_cast<float>(start_.cell.diameter);
+        return hn::Le(hn::Set(d, diameter), p);
+    }
+    void note_terminal(std::uint64_t rays, int first, V key) {
+        alignas(64) float keys[GridRays::most_lanes];
+        hn::StoreU(key, d, keys);
+        for (; rays != 0; rays &= rays - 1) {
+            const int i = std::countr_zero(rays);
+            work_.found[static_cast<std::size_t>(first + i)].below_count = 0;
+            note(first + i, keys[i]);
+        }
     }
     template <int most>
     void follow(const GridEntry& entry, int first) {
@@ -188,7 +219,7 @@ class GridVisit {
     SearchWorkspace& work_;
     const EntryBelow& start_;
     const CommonGrid& grid_;
-    std::uint64_t parallel_ = 0, terminal_ = 0;
+    std::array<float, 12> rows_;
     GridRays rays_;
 };
 
