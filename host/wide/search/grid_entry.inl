@@ -65,45 +65,34 @@ class GridVisit {
         V center[3], pace[3];
         V key, exit;
     };
-    /// Lanes of what is computed of the rays in double.
+    /// What is computed of the rays in double. It takes several registers, and is read as floats in
+    /// one only after other work: a load waits for stores that are narrower.
     struct InDouble {
-        V start, best, pixel_base, pixel_growth;
+        alignas(64) float start[GridRays::most_lanes];
+        alignas(64) float best[GridRays::most_lanes];
+        alignas(64) float pixel_base[GridRays::most_lanes];
+        alignas(64) float pixel_growth[GridRays::most_lanes];
     };
 
-    /// What is computed of the rays in double, in several registers, as floats in one.
-    template <class F>
-    HWY_INLINE static V in_double(const F& f) {
+    /// As ray_below() and follow_rays() have it.
+    HWY_INLINE void compute_in_double(int first, InDouble& rays) const {
         const hn::CappedTag<double, GridRays::most_lanes> dd;
         const hn::Rebind<float, decltype(dd)> narrow;
-        alignas(64) float floats[GridRays::most_lanes];
-        for (int j = 0; j < static_cast<int>(hn::Lanes(d)); j += static_cast<int>(hn::Lanes(dd))) {
-            hn::StoreU(hn::DemoteTo(narrow, f(dd, j)), narrow, floats + j);
-        }
-        return hn::LoadU(d, floats);
-    }
-    /// As ray_below() and follow_rays() have it.
-    [[nodiscard]] HWY_INLINE InDouble in_double_from(int i) const {
         const RayPacket& packet = work_.packet;
-        const auto promoted = [&](auto dd, const float* from) HWY_ATTR {
-            return hn::PromoteTo(dd, hn::LoadU(hn::Rebind<float, decltype(dd)>(), from));
-        };
-        InDouble result;
-        result.best = in_double([&](auto dd, int j) HWY_ATTR {
-            return hn::Sub(hn::LoadU(dd, work_.best.data() + i + j), hn::Set(dd, start_.base));
-        });
-        result.start = in_double([&](auto dd, int j) HWY_ATTR {
-            return hn::Sub(promoted(dd, packet.start + i + j), hn::Set(dd, start_.base));
-        });
-        result.pixel_base = in_double([&](auto dd, int j) HWY_ATTR {
-            const auto pixel1 = promoted(dd, packet.pixel1 + i + j);
-            const auto pixel0 = hn::Add(promoted(dd, packet.pixel0 + i + j),
-                                        hn::Mul(pixel1, hn::Set(dd, start_.base)));
-            return hn::Mul(hn::Set(dd, scene_.detail), pixel0);
-        });
-        result.pixel_growth = in_double([&](auto dd, int j) HWY_ATTR {
-            return hn::Mul(hn::Set(dd, scene_.detail), promoted(dd, packet.pixel1 + i + j));
-        });
-        return result;
+        const auto base = hn::Set(dd, start_.base), detail = hn::Set(dd, scene_.detail);
+        for (int i = 0; i < static_cast<int>(hn::Lanes(d)); i += static_cast<int>(hn::Lanes(dd))) {
+            const auto promoted = [&](const float* from) HWY_ATTR {
+                return hn::PromoteTo(dd, hn::LoadU(narrow, from + first + i));
+            };
+            const auto put = [&](auto v, float* to)
+                                 HWY_ATTR { hn::StoreU(hn::DemoteTo(narrow, v), narrow, to + i); };
+            const auto pixel1 = promoted(packet.pixel1);
+            const auto pixel0 = hn::Add(promoted(packet.pixel0), hn::Mul(pixel1, base));
+            put(hn::Sub(promoted(packet.start), base), rays.start);
+            put(hn::Sub(hn::LoadU(dd, work_.best.data() + first + i), base), rays.best);
+            put(hn::Mul(detail, pixel0), rays.pixel_base);
+            put(hn::Mul(detail, pixel1), rays.pixel_growth);
+        }
     }
     /// As meet_entry_cell() has it.
     [[nodiscard]] HWY_INLINE InCell in_cell(int i) const {
@@ -132,7 +121,8 @@ class GridVisit {
     }
     /// Puts those of the rays close together that go on, of `wanted` from lane i on.
     HWY_INLINE void take_lanes(std::uint64_t wanted, int i, float touching) {
-        const InDouble rays = in_double_from(i);
+        InDouble rays;
+        compute_in_double(i, rays);
         const InCell at = in_cell(i);
         // That the cell is entered before it is left follows, as the key is no less than where.
         const std::uint64_t met =
@@ -140,31 +130,56 @@ class GridVisit {
         for (std::uint64_t rest = met; rest != 0; rest &= rest - 1) {
             ++work_.found[static_cast<std::size_t>(i + std::countr_zero(rest))].tested;
         }
-        const std::uint64_t near = lane_bits(d, hn::Lt(at.key, rays.best)) & met;
+        const std::uint64_t near = lane_bits(d, hn::Lt(at.key, hn::LoadU(d, rays.best))) & met;
         if (near == 0) return;
         const std::uint64_t terminal = lane_bits(d, is_terminal(rays, at.key)) & near;
         if (terminal != 0) note_terminal(terminal, i, at.key);
-        const std::uint64_t go = near & ~terminal;
-        const auto mask = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&go));
-        const auto put = [&](V v, float* to)
-                             HWY_ATTR { hn::StoreU(hn::Compress(v, mask), d, to + rays_.count); };
-        for (int k = 0; k < 3; ++k) {
-            put(at.center[k], rays_.center[k]);
-            put(at.pace[k], rays_.pace[k]);
+        if (near != terminal) put_close(near & ~terminal, i, at, rays);
+    }
+    /// Puts the rays of lanes close together.
+    HWY_INLINE void put_close(std::uint64_t lanes, int first, const InCell& at,
+                              const InDouble& rays) {
+        constexpr int numbers = 11;
+        const V all[numbers] = {at.center[0],
+                                at.center[1],
+                                at.center[2],
+                                at.pace[0],
+                                at.pace[1],
+                                at.pace[2],
+                                at.key,
+                                hn::LoadU(d, rays.start),
+                                hn::LoadU(d, rays.best),
+                                hn::LoadU(d, rays.pixel_base),
+                                hn::LoadU(d, rays.pixel_growth)};
+        float* const places[numbers] = {rays_.center[0],  rays_.center[1],   rays_.center[2],
+                                        rays_.pace[0],    rays_.pace[1],     rays_.pace[2],
+                                        rays_.key,        rays_.start,       rays_.best,
+                                        rays_.pixel_base, rays_.pixel_growth};
+        // Only these registers can do it; for others Highway 1.0.3 copies a table of orders to the
+        // stack each time.
+        if constexpr (HWY_TARGET <= HWY_AVX3) {
+            const auto mask = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&lanes));
+            for (int k = 0; k < numbers; ++k) {
+                hn::StoreU(hn::Compress(all[k], mask), d, places[k] + rays_.count);
+            }
+            for (std::uint64_t rest = lanes; rest != 0; rest &= rest - 1) {
+                rays_.ray[rays_.count++] = first + std::countr_zero(rest);
+            }
+        } else {
+            alignas(64) float rows[numbers][GridRays::most_lanes];
+            for (int k = 0; k < numbers; ++k) hn::StoreU(all[k], d, rows[k]);
+            for (std::uint64_t rest = lanes; rest != 0; rest &= rest - 1) {
+                const int lane = std::countr_zero(rest);
+                for (int k = 0; k < numbers; ++k) places[k][rays_.count] = rows[k][lane];
+                rays_.ray[rays_.count++] = first + lane;
+            }
         }
-        put(at.key, rays_.key);
-        put(rays.start, rays_.start);
-        put(rays.best, rays_.best);
-        put(rays.pixel_base, rays_.pixel_base);
-        put(rays.pixel_growth, rays_.pixel_growth);
-        hn::StoreU(hn::Compress(hn::Iota(di, i), hn::RebindMask(di, mask)), di,
-                   rays_.ray + rays_.count);
-        rays_.count += std::popcount(go);
     }
     /// Whether the entry cell itself is.
     [[nodiscard]] HWY_INLINE auto is_terminal(const InDouble& rays, V key) const
         -> hn::Mask<hn::CappedTag<float, GridRays::most_lanes>> {
-        const V p = hn::Max(hn::Add(rays.pixel_base, hn::Mul(rays.pixel_growth, key)),
+        const V growth = hn::LoadU(d, rays.pixel_growth);
+        const V p = hn::Max(hn::Add(hn::LoadU(d, rays.pixel_base), hn::Mul(growth, key)),
                             hn::Set(d, start_.least));
         const float diameter = start_.last ? -std::numeric_limits<float>::infinity()
                                            : static_cast<float>(start_.cell.diameter);

@@ -15,37 +15,13 @@
 #include <bit>
 #include <limits>
 
+#include "host/wide/search/grid_rays.hpp"
 #include "host/wide/search/homothety_entry.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace pxm::host::wide::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Rays that go below an entry cell, close together. Depths are from the entry cell's base.
-struct GridRays {
-    static constexpr int most_lanes = 16;
-    static constexpr int room = packet_rays + most_lanes;  // registers are written whole
-
-    alignas(64) float center[3][room];  // depth at which a ray passes the centre's three planes
-    alignas(64) float pace[3][room];    // depth per unit of each axis
-    alignas(64) float key[room];        // depth at which it enters the cell
-    alignas(64) float start[room];      // as in HomothetyRay
-    alignas(64) float best[room];
-    alignas(64) float pixel_base[room];
-    alignas(64) float pixel_growth[room];
-    alignas(64) std::int32_t ray[room];  // its number in the packet
-    int count = 0;
-};
-
-/// The entry cell of a walk, and what all rays have in common.
-struct GridEntry {
-    const CommonGrid& grid;
-    int set;  // as counted there
-    float constant;
-    std::uint32_t levels_left;
-    float pixel_least;
-};
 
 /// Up to a register of rays below an entry cell. `most`: slices along an axis at most.
 template <int most>
@@ -57,7 +33,7 @@ class GridLanes {
     using M = hn::Mask<hn::CappedTag<float, GridRays::most_lanes>>;
 
   public:
-    /// Lanes that are `in` hold the rays from `first` on; each may test `left` boxes.
+    /// The lanes hold the rays from `first` on, of which each may test `left` boxes.
     GridLanes(const GridEntry& entry, const GridRays& rays, int first, const std::int32_t* left)
         : entry_(entry),
           start_(hn::LoadU(d, rays.start + first)),

@@ -7,7 +7,6 @@
 
 #include <functional>
 #include <random>
-#include <set>
 
 #include "host/node_program/write_scene_block.hpp"
 #include "host/wide/tables/wide_scene.hpp"
