@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include "host/wide/search/grid_entry.inl"
 #include "host/wide/search/grid_walk.inl"
 #include "host/wide/search/homothety_entry.inl"
 #include "host/wide/search/homothety_levels.inl"
@@ -31,6 +32,18 @@ HWY_INLINE PlaceBelow place_in_box(const EntryRays& rays, int ray, BoxRay& box) 
     return {at[0], at[1], at[2], 1};
 }
 
+/// Rays that may find something in a cell: what they have found so far lies not before all of it.
+inline std::uint64_t may_find(const SearchWorkspace& work, const HomothetyCell& cell) {
+    constexpr double rounding = 1e-4;  // of the way through the cell; that of floats is less
+    const hn::CappedTag<double, tile_side> d;
+    const auto near = hn::Set(d, cell.near - rounding * (cell.far - cell.near));
+    std::uint64_t rays = 0;
+    for (int i = 0; i < packet_rays; i += static_cast<int>(hn::Lanes(d))) {
+        rays |= lane_bits(d, hn::Lt(near, hn::LoadU(d, work.best.data() + i))) << i;
+    }
+    return rays & work.packet.inside;
+}
+
 inline void visit_box(const WideScene& scene, SearchWorkspace& work, const HomothetyCell& cell,
                       int index) {
     SharedCell box;
@@ -39,7 +52,14 @@ inline void visit_box(const WideScene& scene, SearchWorkspace& work, const Homot
     const WideObject& object = scene.objects[static_cast<std::size_t>(cell.object)];
     rows_of(object, work.packet, cell, box.rows, box.base);
     const EntryBelow start(scene, index, cell, box.base, 1);
-    const std::uint64_t met = meet_entry_cell(work, box, rays);
+    const PacketPace pace(work.packet, box, static_cast<double>(entry_rounding));
+    std::uint64_t wanted = work.packet.inside;
+    if (object.grid && !pace.parallel) wanted = may_find(work, cell);  // none lies in a face
+    if (wanted == 0) return;
+    if (object.common_grid >= 0 && !pace.parallel) {
+        return GridVisit(scene, work, start, box).visit(wanted, pace.touching);
+    }
+    const std::uint64_t met = meet_entry_cell(work, box, rays) & wanted;
     fill_first(start, work.opened[0]);
     const auto diameter = static_cast<float>(cell.diameter);
     const auto follow = [&](RayBelow& below) HWY_ATTR {

@@ -37,6 +37,9 @@ inline void leave_ray(SearchWorkspace& work, int ray) {
     work.improved = true;
 }
 
+/// How far rounding may move a ray, in half widths of an entry cell.
+inline constexpr float entry_rounding = 0x1p-18F;
+
 /// How the rays of a packet move in a cell.
 struct PacketPace {
     float touching;  // of depth, that rounding may part boxes by that touch in an edge
@@ -60,7 +63,6 @@ struct PacketPace {
 /// faces are left to the reference kernels.
 inline std::uint64_t meet_entry_cell(SearchWorkspace& work, const SharedCell& cell,
                                      EntryRays& rays) {
-    constexpr float rounding = 0x1p-18F;  // of the cell's half width: where a ray is
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
     const RayPacket& packet = work.packet;
@@ -71,8 +73,8 @@ inline std::uint64_t meet_entry_cell(SearchWorkspace& work, const SharedCell& ce
     };
     const Lanes3<V> u_axis = row(0), v_axis = row(1), w_axis = row(2), middle = row(3);
     const V base = hn::Set(d, static_cast<float>(cell.base));
-    const V room = hn::Set(d, rounding);
-    const PacketPace pace(packet, cell, static_cast<double>(rounding));
+    const V room = hn::Set(d, entry_rounding);
+    const PacketPace pace(packet, cell, static_cast<double>(entry_rounding));
     const V touching = hn::Set(d, cell.spheres ? 0.0F : pace.touching);
     std::uint64_t met = 0, in_face = 0;
     for (int i = 0; i < packet_rays; i += static_cast<int>(hn::Lanes(d))) {

@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -137,6 +138,27 @@ inline void push_homothety_cell(SearchWorkspace& work, const HomothetyCell& cell
     push_into_queue(work, cell.near, ~(static_cast<int>(work.homothety_cells.size()) - 1));
 }
 
+/// Makes a cell of a child whose rows are in the scratch, and puts it into the queue.
+inline void push_homothety_child(const HomothetyTable& table, SearchWorkspace& work,
+                                 const HomothetyCell& parent, int index, int lane) {
+    const double* rows = work.scratch.get();
+    const auto at = [&](int i) {
+        return rows[static_cast<std::ptrdiff_t>(i) * table.stride + lane];
+    };
+    push_homothety_cell(work, {{at(0), at(1), at(2)},
+                               at(HomothetyRows::size),
+                               at(HomothetyRows::near),
+                               at(HomothetyRows::far),
+                               parent.constant * table.f64.row(HomothetyTable::constant)[lane],
+                               parent.constant * table.f64.row(HomothetyTable::diameter)[lane],
+                               table.sets[static_cast<std::size_t>(lane)],
+                               parent.object,
+                               index,
+                               lane,
+                               parent.level + 1,
+                               -1});
+}
+
 /// Puts the children of a cell of homotheties into the queue that a ray of the packet may meet.
 inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, int index) {
     const hn::ScalableTag<double> d;
@@ -160,25 +182,15 @@ inline void open_homothety_cell(const WideScene& scene, SearchWorkspace& work, i
                                                       : box_in_frustum(d, frustum, c, half);
         store3(c, d, row(HomothetyRows::center) + i, table.stride);
         hn::StoreU(half, d, row(HomothetyRows::size) + i);
-        hn::StoreU(hn::Max(inside.key, hn::Set(d, parent.near)), d, row(HomothetyRows::near) + i);
-        hn::StoreU(hn::Min(inside.exit, hn::Set(d, parent.far)), d, row(HomothetyRows::far) + i);
-    }
-    for (int lane = 0; lane < table.count; ++lane) {
-        const double near = row(HomothetyRows::near)[lane];
-        const double far = row(HomothetyRows::far)[lane];
-        if (!(near <= far) || work.farthest <= near) continue;
-        push_homothety_cell(work, {{row(0)[lane], row(1)[lane], row(2)[lane]},
-                                   row(HomothetyRows::size)[lane],
-                                   near,
-                                   far,
-                                   parent.constant * table.f64.row(HomothetyTable::constant)[lane],
-                                   parent.constant * table.f64.row(HomothetyTable::diameter)[lane],
-                                   table.sets[static_cast<std::size_t>(lane)],
-                                   parent.object,
-                                   index,
-                                   lane,
-                                   parent.level + 1,
-                                   -1});
+        const V near = hn::Max(inside.key, hn::Set(d, parent.near));
+        const V far = hn::Min(inside.exit, hn::Set(d, parent.far));
+        hn::StoreU(near, d, row(HomothetyRows::near) + i);
+        hn::StoreU(far, d, row(HomothetyRows::far) + i);
+        auto wanted = hn::And(hn::Le(near, far), hn::Lt(near, hn::Set(d, work.farthest)));
+        wanted = hn::And(wanted, hn::FirstN(d, static_cast<std::size_t>(table.count - i)));
+        for (std::uint64_t rest = lane_bits(d, wanted); rest != 0; rest &= rest - 1) {
+            push_homothety_child(table, work, parent, index, i + std::countr_zero(rest));
+        }
     }
 }
 

@@ -11,7 +11,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "host/wide/packet/lanes.inl"
 #include "host/wide/search/packet_search.hpp"
@@ -106,7 +105,7 @@ HWY_INLINE double pixel_at(const WideScene& scene, const RayPacket& packet, int 
 /// Puts a cell into the queue, nearest first.
 inline void push_into_queue(SearchWorkspace& work, double near, int cell) {
     work.queue.emplace_back(near, cell);
-    std::push_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+    std::push_heap(work.queue.begin(), work.queue.end(), IsFarther{});
 }
 
 /// Makes a cell of a child whose rows are in the scratch, and puts it into the queue.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <functional>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -103,7 +102,7 @@ void search(const WideScene& scene, SearchWorkspace& work) {
         }
         if (work.farthest <= near) return;
         if (has_too_many_cells(work)) return give_up_from(work, near);
-        std::pop_heap(work.queue.begin(), work.queue.end(), std::greater<>{});
+        std::pop_heap(work.queue.begin(), work.queue.end(), IsFarther{});
         work.queue.pop_back();
         take_cell(scene, work, near, index);
     }

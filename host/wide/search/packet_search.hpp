@@ -24,6 +24,14 @@ namespace pxm::host::wide {
 
 inline constexpr std::size_t most_shared_cells = std::size_t{1} << 17;  // of a packet
 
+/// Orders heaps of waiting cells, (near, cell): the nearest comes first, of equals the least
+/// number.
+struct IsFarther {
+    bool operator()(const std::pair<double, int>& a, const std::pair<double, int>& b) const {
+        return a.first > b.first || (a.first == b.first && a.second > b.second);
+    }
+};
+
 /// One thread's memory for the search of one packet after another.
 struct SearchWorkspace {
     void clear_found() {

@@ -219,6 +219,21 @@ bool find_grids(WideScene& scene, int first, std::vector<bool>& seen) {
            std::ranges::all_of(set.sets, [&](int inner) { return find_grids(scene, inner, seen); });
 }
 
+/// Gives an object with grids the one that its sets have in common, if there is one.
+void find_common(WideScene& scene, WideObject& object) {
+    const auto same = std::ranges::find_if(scene.common_grids, [&](const CommonGrid& other) {
+        return other.sets.front() == object.set;
+    });
+    if (same == scene.common_grids.end()) {
+        CommonGrid grid = find_common_grid(scene.sets, object.set);
+        if (grid.sets.empty()) return;
+        object.common_grid = static_cast<int>(scene.common_grids.size());
+        scene.common_grids.push_back(std::move(grid));
+    } else {
+        object.common_grid = static_cast<int>(same - scene.common_grids.begin());
+    }
+}
+
 }  // namespace
 
 bool is_of_homotheties(const CompiledScene& scene, const CompiledObject& object) {
@@ -258,6 +273,7 @@ void tabulate_homotheties(WideScene& scene) {
         if (!object.of_homotheties) continue;
         std::vector<bool> seen(scene.sets.size(), false);
         object.grid = !object.spheres && find_grids(scene, object.set, seen);
+        if (object.grid) find_common(scene, object);
         if (!object.grid && has_many_children(scene, object.set)) object.of_homotheties = false;
     }
     find_turns(scene);

@@ -14,6 +14,7 @@
 
 #include "host/compiled/compiled_scene.hpp"
 #include "host/wide/tables/child_grid.hpp"
+#include "host/wide/tables/common_grid.hpp"
 
 namespace pxm::host::wide {
 
@@ -130,8 +131,9 @@ struct WideObject {
     /// All maps are homotheties whose cells lie in their parents: a ray has the same direction in
     /// all cells (Sec. 13.1), and a cell is known by its centre and its size.
     bool of_homotheties = false;
-    bool grid = false;  // and all its sets have their children in slices
-    int turn = 0;       // of such an object with balls, in WideScene::turns
+    bool grid = false;     // and all its sets have their children in slices
+    int common_grid = -1;  // the same slices, in WideScene::common_grids; -1: they are not
+    int turn = 0;          // of such an object with balls, in WideScene::turns
     std::array<float, 3> color{};
     float diffuse = 0;
     float reflect = 0;
@@ -144,6 +146,7 @@ struct WideScene {
     /// How objects of homotheties with balls are turned: from scene to unit coordinates, lengths
     /// left.
     std::vector<glm::dmat3> turns;
+    std::vector<CommonGrid> common_grids;
     std::size_t composed_cells = 0;  // in the sets' `composed` tables
     std::vector<CompiledEnclosure> enclosures;
     CompiledCamera camera;
