@@ -93,7 +93,9 @@ inline WalkedLanes walk_lanes(const Path& path, const PathRules& rules, int most
         const auto levels = hn::LoadU(di, t.levels + lane);
         V key = start, exit = hn::Set(d, std::numeric_limits<float>::infinity());
         auto [weighted, plain, total] = sums_around(d, t, lane);
-        auto confirmed = hn::FirstN(d, static_cast<std::size_t>(t.count - lane));
+        // Beyond the last ray there is what an earlier one has left there.
+        const auto present = hn::FirstN(d, static_cast<std::size_t>(t.count - lane));
+        auto confirmed = present;
         auto unsure = hn::Lt(one, zero);
         auto entered = hn::Ne(dot(plain, plain), zero);
         for (int level = 0; level < most; ++level) {
@@ -131,7 +133,7 @@ inline WalkedLanes walk_lanes(const Path& path, const PathRules& rules, int most
         store3(total_normal(d, weighted, plain, total), d, t.normal[0] + lane,
                HitLanes::most_lanes);
         walked.confirmed |= lane_bits(d, confirmed) << lane;
-        walked.unsure |= lane_bits(d, unsure) << lane;
+        walked.unsure |= lane_bits(d, hn::And(unsure, present)) << lane;
         walked.entered |= lane_bits(d, entered) << lane;
     }
     return walked;
