@@ -13,19 +13,20 @@ namespace pxm::host {
 namespace {
 
 HttpAnswer refused(int status, const std::string& why) {
-    HttpAnswer answer{status, "text/plain; charset=utf-8", why + "\n"};
-    answer.fields = guarding_fields();
-    return answer;
+    return {status, "text/plain; charset=utf-8", why + "\n"};
 }
 
 }  // namespace
 
 Gate::Gate(int port) : port_(port), token_(random_token()), once_(random_token()) {}
 
-std::vector<HttpField> guarding_fields() {
+// Not every browser takes 'self' for its WebSockets too.
+std::vector<HttpField> Gate::guarding_fields() const {
     return {{"Content-Security-Policy",
-             "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
-             "connect-src 'self'; form-action 'none'; frame-ancestors 'none'; base-uri 'none'"},
+             fmt::format("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
+                         "connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0} ws://[::1]:{0}; "
+                         "form-action 'none'; frame-ancestors 'none'; base-uri 'none'",
+                         port_)},
             {"X-Content-Type-Options", "nosniff"},
             {"X-Frame-Options", "DENY"},
             {"Cross-Origin-Resource-Policy", "same-origin"},
@@ -35,6 +36,12 @@ std::vector<HttpField> guarding_fields() {
 }
 
 std::optional<HttpAnswer> Gate::refusal(const HttpRequest& request) {
+    std::optional<HttpAnswer> answer = judge(request);
+    if (answer) answer->fields = guarding_fields();
+    return answer;
+}
+
+std::optional<HttpAnswer> Gate::judge(const HttpRequest& request) {
     if (request.method != "GET" && request.method != "POST")
         return refused(405, "GET and POST alone are answered");
     if (!is_own_host(field_of(request, "Host")))

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/studio/http_message.hpp"
 #include "host/studio/rate.hpp"
@@ -28,12 +29,17 @@ class Gate {
     /// scripts, and never sent along from other sites.
     [[nodiscard]] HttpField cookie() const;
 
+    /// What is said in every answer: load nothing from elsewhere, run no script but the page's own,
+    /// show in no other page, keep no copy.
+    [[nodiscard]] std::vector<HttpField> guarding_fields() const;
+
     /// The address to be shown to the user.
     [[nodiscard]] std::string address() const;
     /// One to be handed to the browser, which others may see on its command line: it lets in once.
     [[nodiscard]] std::string address_for_once() const;
 
   private:
+    [[nodiscard]] std::optional<HttpAnswer> judge(const HttpRequest& request);
     [[nodiscard]] bool is_own_host(const std::string& host) const;
     [[nodiscard]] bool comes_from_elsewhere(const HttpRequest& request) const;
     [[nodiscard]] bool has_cookie(const HttpRequest& request) const;
@@ -46,9 +52,5 @@ class Gate {
     std::string entered_;  // the code that was used, for enters()
     Rate rate_{400, 1200};
 };
-
-/// What is said in every answer: load nothing from elsewhere, run no script but the page's own,
-/// show in no other page, keep no copy.
-[[nodiscard]] std::vector<HttpField> guarding_fields();
 
 }  // namespace pxm::host

@@ -93,8 +93,8 @@ class Studio::Desk {
     [[nodiscard]] const Presence& presence() const { return presence_; }
 
   private:
-    static HttpAnswer with_guard(HttpAnswer answer) {
-        for (HttpField& field : guarding_fields()) answer.fields.push_back(std::move(field));
+    [[nodiscard]] HttpAnswer with_guard(HttpAnswer answer) const {
+        for (HttpField& field : gate_.guarding_fields()) answer.fields.push_back(std::move(field));
         return answer;
     }
 
@@ -230,7 +230,7 @@ class Studio::Desk {
         HttpAnswer last = guarded([&] {
             return rendered(request, [&](const AskedPicture& asked, auto& stop, const auto& tell) {
                 parts = std::make_unique<PictureParts>(
-                    [&body, begun = false](std::string piece) mutable {
+                    [this, &body, begun = false](std::string piece) mutable {
                         if (!std::exchange(begun, true))
                             body.begin(with_guard({200, "application/octet-stream"}));
                         body.send(std::move(piece));

@@ -37,6 +37,7 @@ TEST_F(StudioTest, gives_its_page_to_who_has_the_address) {
     EXPECT_THAT(page, HasSubstr("Set-Cookie: pxm_studio_"));
     EXPECT_THAT(page, HasSubstr("<!doctype html>"));
     EXPECT_THAT(page, HasSubstr("Content-Security-Policy: default-src 'none'"));
+    EXPECT_THAT(page, HasSubstr("connect-src 'self' ws://" + host_ + " "));
     EXPECT_THAT(page, Not(HasSubstr("unsafe")));
     EXPECT_THAT(ask("GET /studio.js"), HasSubstr("text/javascript"));
     EXPECT_THAT(ask("GET /gone.js"), StartsWith("HTTP/1.1 404"));
