@@ -20,11 +20,11 @@ HttpAnswer refused(int status, const std::string& why) {
 
 Gate::Gate(int port) : port_(port), token_(random_token()), once_(random_token()) {}
 
-// Not every browser takes 'self' for its WebSockets too.
+// Not every browser takes 'self' for its WebSockets too. No source can name an address of IPv6.
 std::vector<HttpField> Gate::guarding_fields() const {
     return {{"Content-Security-Policy",
              fmt::format("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
-                         "connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0} ws://[::1]:{0}; "
+                         "connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0}; "
                          "form-action 'none'; frame-ancestors 'none'; base-uri 'none'",
                          port_)},
             {"X-Content-Type-Options", "nosniff"},
